@@ -1,0 +1,37 @@
+cmake_minimum_required(VERSION 3.25)
+
+# cmake -DROOT=<source root> -DRULES=<file> -P check_includes.cmake
+# RULES has a line per module: its folder, then the folders that its files may include.
+
+file(STRINGS ${RULES} rules)
+set(all_modules "")
+foreach(rule IN LISTS rules)
+  string(REPLACE " " ";" words "${rule}")
+  list(GET words 0 module)
+  list(APPEND all_modules ${module})
+endforeach()
+
+set(violations "")
+foreach(rule IN LISTS rules)
+  string(REPLACE " " ";" visible "${rule}")
+  list(POP_FRONT visible module)
+  file(GLOB files ${ROOT}/${module}/*.h ${ROOT}/${module}/*.cpp)
+  foreach(path IN LISTS files)
+    file(STRINGS ${path} includes REGEX "^#include \"")
+    foreach(include IN LISTS includes)
+      string(REGEX REPLACE "^#include \"(.*)/[^/]*\".*" "\\1" folder "${include}")
+      if(NOT folder IN_LIST visible)
+        file(RELATIVE_PATH file ${ROOT} ${path})
+        if(folder IN_LIST all_modules)
+          string(APPEND violations "  ${file} must not include ${folder}: ${module} does not use it\n")
+        else()
+          string(APPEND violations "  ${file}: ${include} is not a path from the root of the sources\n")
+        endif()
+      endif()
+    endforeach()
+  endforeach()
+endforeach()
+
+if(violations)
+  message(FATAL_ERROR "forbidden includes (USES in the CMakeLists.txt of a folder says what it may see):\n${violations}")
+endif()
