@@ -17,7 +17,11 @@ Eigen::Vector3d EulerXyzFromRotation(const Eigen::Matrix3d& R) {
   const double cosine_y = std::hypot(R(0, 0), R(0, 1));
   const double y = std::atan2(R(0, 2), cosine_y);
   if (cosine_y < 1e-12) return {std::atan2(R(2, 1), R(1, 1)), y, 0.0};  // gimbal lock
-  return {std::atan2(-R(1, 2), R(2, 2)), y, std::atan2(-R(0, 1), R(0, 0))};
+  // z is read off Rx(-x) * R, which keeps the product exact near the lock, where x alone is uncertain.
+  const double x = std::atan2(-R(1, 2), R(2, 2));
+  return {x, y,
+          std::atan2(std::cos(x) * R(1, 0) + std::sin(x) * R(2, 0),
+                     std::cos(x) * R(1, 1) + std::sin(x) * R(2, 1))};
 }
 
 }  // namespace ariadne::slam

@@ -33,7 +33,9 @@ Eigen::Vector3d LogSo3(const Eigen::Quaterniond& rotation) {
   const double sign = rotation.w() < 0.0 ? -1.0 : 1.0;
   const double sine = rotation.vec().norm();
   const double cosine = std::abs(rotation.w());
-  const double scale = sine < kSmallAngle ? 2.0 / cosine * (1.0 - sine * sine / (3.0 * cosine * cosine))
+  const double tangent = sine / cosine;
+  const double squared = tangent * tangent;
+  const double scale = sine < kSmallAngle ? 2.0 / cosine * (1.0 - squared / 3.0 + squared * squared / 5.0)
                                           : 2.0 * std::atan2(sine, cosine) / sine;
   return sign * scale * rotation.vec();
 }

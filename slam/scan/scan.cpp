@@ -28,6 +28,7 @@ PointCloud ToPointCloud(const Scan& scan) {
       if (!sweep.reflectance.empty()) cloud.reflectance.push_back(sweep.reflectance[beam]);
     }
   }
+  if (cloud.reflectance.size() != cloud.size()) cloud.reflectance.clear();  // not every sweep has it
   return cloud;
 }
 

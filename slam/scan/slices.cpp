@@ -29,33 +29,49 @@ std::size_t CountOutOfPlane(const std::vector<Eigen::Vector3d>& positions, std::
   return count;
 }
 
+/// Slices that begin where the angle jumps one way.
+struct Candidate {
+  std::vector<std::size_t> begins{0};
+  double jumped = 0.0;  // sum of the jumps [rad]
+
+  void Begin(std::size_t point, double jump) {
+    begins.push_back(point);
+    jumped += jump;
+  }
+  double MeanJump() const { return jumped / static_cast<double>(begins.size() - 1); }
+};
+
+bool IsPitchedScan(const std::vector<Eigen::Vector3d>& positions, const std::vector<std::size_t>& begins) {
+  if (begins.size() < kMinSlices) return false;
+  std::size_t strays = 0;
+  for (std::size_t s = 0; s < begins.size(); ++s) {
+    const std::size_t end = s + 1 < begins.size() ? begins[s + 1] : positions.size();
+    strays += CountOutOfPlane(positions, begins[s], end);
+  }
+  return strays <= positions.size() / 20;  // at most 5 % stray points
+}
+
 }  // namespace
 
 std::vector<std::size_t> InferSlices(const std::vector<Eigen::Vector3d>& positions_laser) {
   if (positions_laser.empty()) return {};
-  std::vector<std::size_t> rising{0};   // slices that sweep from right to left
-  std::vector<std::size_t> falling{0};  // and from left to right
+  Candidate rising;   // slices that sweep from right to left
+  Candidate falling;  // and from left to right
   for (std::size_t i = 1; i < positions_laser.size(); ++i) {
     const double turn = AngleFromAxis(positions_laser[i]) - AngleFromAxis(positions_laser[i - 1]);
-    if (turn < -kJumpBack) rising.push_back(i);
-    if (turn > kJumpBack) falling.push_back(i);
+    if (turn < -kJumpBack) rising.Begin(i, -turn);
+    if (turn > kJumpBack) falling.Begin(i, turn);
   }
-  // A wall that is missing (no returns over a wide angle) is a jump too, so the direction of the sweep
-  // is the one that leaves the points of each slice in one plane.
-  std::vector<std::size_t>* best = nullptr;
-  std::size_t fewest = positions_laser.size() / 20;  // at most 5 % stray points
-  for (std::vector<std::size_t>* slices : {&rising, &falling}) {
-    std::size_t strays = 0;
-    for (std::size_t s = 0; s < slices->size(); ++s) {
-      const std::size_t end = s + 1 < slices->size() ? (*slices)[s + 1] : positions_laser.size();
-      strays += CountOutOfPlane(positions_laser, (*slices)[s], end);
-    }
-    if (slices->size() >= kMinSlices && strays <= fewest) {
-      best = slices;
-      fewest = strays;
-    }
+  // A wall that is missing (no returns over a wide angle) is a jump too, and cuts the scan into pieces that
+  // are nearly as flat as the slices; but it is narrower than the sweep that it is a part of.
+  const bool is_rising = IsPitchedScan(positions_laser, rising.begins);
+  const bool is_falling = IsPitchedScan(positions_laser, falling.begins);
+  if (is_rising && is_falling) {
+    return rising.MeanJump() > falling.MeanJump() ? rising.begins : falling.begins;
   }
-  return best ? *best : std::vector<std::size_t>{};
+  if (is_rising) return rising.begins;
+  if (is_falling) return falling.begins;
+  return {};
 }
 
 }  // namespace ariadne::slam

@@ -1,0 +1,62 @@
+#include "slam/geometry/angles.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace ariadne::slam {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+TEST(Angles, ConvertBetweenDegreesAndRadians) {
+  EXPECT_DOUBLE_EQ(RadFromDeg(180.0), kPi);
+  EXPECT_DOUBLE_EQ(RadFromDeg(-30.0), -kPi / 6.0);
+  EXPECT_DOUBLE_EQ(DegFromRad(kPi / 2.0), 90.0);
+  EXPECT_DOUBLE_EQ(DegFromRad(RadFromDeg(0.47)), 0.47);
+}
+
+TEST(WrapAngle, KeepsAnglesInsideTheInterval) {
+  for (const double rad :
+       {0.0, 1e-300, -1e-12, 1.0, -3.0, std::nextafter(kPi, 0.0), -std::nextafter(kPi, 0.0)}) {
+    EXPECT_EQ(WrapAngle(rad), rad);
+  }
+}
+
+TEST(WrapAngle, GivesPlusPiForBothHalfTurns) {
+  EXPECT_EQ(WrapAngle(kPi), kPi);
+  EXPECT_EQ(WrapAngle(-kPi), kPi);
+}
+
+TEST(WrapAngle, WrapsJustBeyondPi) {
+  EXPECT_EQ(WrapAngle(std::nextafter(kPi, 4.0)), -std::nextafter(kPi, 0.0));
+  EXPECT_EQ(WrapAngle(std::nextafter(-kPi, -4.0)), std::nextafter(kPi, 0.0));
+  EXPECT_NEAR(WrapAngle(kPi + 0.1), -kPi + 0.1, 1e-15);
+  EXPECT_NEAR(WrapAngle(-kPi - 0.1), kPi - 0.1, 1e-15);
+}
+
+TEST(WrapAngle, TakesManyTurnsInBothDirections) {
+  for (const double turns : {1.0, -1.0, 2.0, 17.0, -1000.0, 1e6}) {
+    for (const double rad : {0.0, 0.3, -0.3, 3.1, -3.1}) {
+      EXPECT_NEAR(WrapAngle(rad + turns * 2.0 * kPi), rad, 1e-15 * (1.0 + 8.0 * std::abs(turns)));
+    }
+  }
+}
+
+TEST(WrapAngle, StaysInTheHalfOpenIntervalAtOddMultiplesOfPi) {
+  for (int odd = -99; odd <= 99; odd += 2) {
+    for (const double rad : {odd * kPi, std::nextafter(odd * kPi, 1e9), std::nextafter(odd * kPi, -1e9)}) {
+      EXPECT_GT(WrapAngle(rad), -kPi) << odd;
+      EXPECT_LE(WrapAngle(rad), kPi) << odd;
+      EXPECT_NEAR(std::abs(WrapAngle(rad)), kPi, 1e-13) << odd;
+    }
+  }
+}
+
+TEST(WrapAngle, LetsNonFiniteAnglesShow) {
+  EXPECT_TRUE(std::isnan(WrapAngle(std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_TRUE(std::isnan(WrapAngle(std::numeric_limits<double>::infinity())));
+}
+
+}  // namespace
+}  // namespace ariadne::slam
