@@ -14,6 +14,7 @@ find_package(CLI11 REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(PNG REQUIRED)
+find_package(tsl-robin-map REQUIRED)
 find_package(GTest REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
 

@@ -1,0 +1,139 @@
+#include "slam/registration/assess.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "slam/geometry/so3.h"
+#include "slam/registration/gauss_newton.h"
+
+namespace ariadne::slam {
+namespace {
+
+constexpr std::size_t kPairs = 2000;           // on which a large cloud is assessed
+constexpr std::size_t kRadiusSamples = 100;    // that tell how large neighbourhoods are
+constexpr double kCellPerNeighborhood = 2.0;   // edge of a cell over the radius of a neighbourhood
+using Jacobian = Eigen::Matrix<double, 3, 6>;  // of a data point by the tangent
+
+/// The sums over the pairs of one or more cells.
+struct Sandwich {
+  Pose3::Square H = Pose3::Square::Zero();
+  Pose3::Square B = Pose3::Square::Zero();
+  Pose3::Square motions = Pose3::Square::Zero();  // of Observability
+  std::size_t pairs = 0;
+  std::size_t with_normal = 0;
+};
+
+/// The pairs' data indices by cell, in an order that looks random.
+using Cells = std::vector<std::vector<std::size_t>>;
+
+double NeighborhoodRadius(const Converged& c, const std::vector<std::size_t>& paired, int neighbors) {
+  std::vector<double> radii;
+  const std::size_t stride = std::max<std::size_t>(1, paired.size() / kRadiusSamples);
+  for (std::size_t k = 0; k < paired.size(); k += stride) {
+    const std::uint32_t m = c.pairs.model_index[paired[k]];
+    radii.push_back(EstimateSurface(c.model.tree, m, neighbors).radius);
+  }
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return *middle;
+}
+
+Cells GroupByCell(const Converged& c, const std::vector<std::size_t>& paired, double edge) {
+  std::map<std::uint64_t, std::vector<std::size_t>> cells;
+  for (const std::size_t i : paired) {
+    std::uint64_t key = 0x9E3779B97F4A7C15ULL;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto cell = static_cast<std::int64_t>(std::floor(c.data.points[i][axis] / edge));
+      key = (key ^ static_cast<std::uint64_t>(cell)) * 0xBF58476D1CE4E5B9ULL;
+      key ^= key >> 29;
+    }
+    cells[key].push_back(i);
+  }
+  Cells grouped;
+  for (auto& [key, members] : cells) grouped.push_back(std::move(members));
+  return grouped;
+}
+
+/// Adds one pair to the sums; returns its part of the gradient.
+Pose3::Tangent AddPair(const Converged& c, const AlignOptions& options, std::size_t i, Sandwich& sum) {
+  const std::uint32_t m = c.pairs.model_index[i];
+  const Eigen::Matrix3d R_data_model = c.T_model_data.RotationMatrix().transpose();
+  const SurfacePoint surface = c.model.surfaces.empty()
+                                   ? EstimateSurface(c.model.tree, m, options.normal_neighbors)
+                                   : c.model.surfaces[m];
+  const Eigen::Vector3d normal = R_data_model * surface.normal;  // zero where there is none
+  const Eigen::Vector3d d_center = c.data.points[i] - c.center_data;
+  Jacobian J;
+  J << Eigen::Matrix3d::Identity(), -Hat(d_center);
+  ++sum.pairs;
+  if (surface.has_normal()) {
+    Pose3::Tangent motion;
+    motion << normal, d_center.cross(normal) / c.length;
+    sum.motions += motion * motion.transpose();
+    ++sum.with_normal;
+  }
+  if (options.metric == Metric::kPointToPoint) {
+    const Eigen::Vector3d e =
+        c.data.points[i] + R_data_model * (c.T_model_data.translation - c.model.tree.points()[m]);
+    const double w = c.weight(e.squaredNorm());
+    const Pose3::Tangent along_normal = J.transpose() * normal;
+    const double curvature = w + 2.0 * c.weight.Derivative(e.squaredNorm()) * std::pow(normal.dot(e), 2);
+    sum.H += curvature * along_normal * along_normal.transpose();
+    return w * J.transpose() * e;
+  }
+  const PlaneMetric metric{c.model.tree.points(), c.model.surfaces, c.data.points, c.data.surfaces};
+  const PairError error = metric.Error(i, m, c.T_model_data, R_data_model);
+  const Eigen::Matrix3d information = error.Information();
+  const double w = c.weight(error.Squared());
+  const double curvature = w + 2.0 * c.weight.Derivative(error.Squared()) * error.Squared();
+  sum.H += curvature * J.transpose() * information * J;
+  return w * J.transpose() * information * error.e;
+}
+
+/// The covariance about the center. Directions that are not observed get the variance of the gate: the data
+/// may have slid by anything that has kept the pairs.
+Pose3::Square Covariance(const Sandwich& sum, const Observability& observability, double length,
+                         double max_distance) {
+  Pose3::Tangent scale;
+  scale << 1.0, 1.0, 1.0, 1.0 / length, 1.0 / length, 1.0 / length;
+  const Pose3::Square H = scale.asDiagonal() * sum.H * scale.asDiagonal();
+  const Pose3::Square B = scale.asDiagonal() * sum.B * scale.asDiagonal();
+  const int free = observability.degenerate;
+  const Eigen::MatrixXd held = observability.directions.rightCols(Pose3::kDof - free);
+  const Eigen::MatrixXd slack = observability.directions.leftCols(free);
+  const Eigen::MatrixXd H_inverse = (held.transpose() * H * held).inverse();
+  const Pose3::Square covariance =
+      held * H_inverse * (held.transpose() * B * held) * H_inverse.transpose() * held.transpose() +
+      max_distance * max_distance * slack * slack.transpose();
+  return scale.asDiagonal() * covariance * scale.asDiagonal();
+}
+
+}  // namespace
+
+Assessment AssessPairs(const Converged& converged, const AlignOptions& options) {
+  std::vector<std::size_t> paired;
+  for (std::size_t i = 0; i < converged.data.points.size(); ++i) {
+    if (converged.pairs.model_index[i] != kNoPoint) paired.push_back(i);
+  }
+  const double edge =
+      kCellPerNeighborhood * NeighborhoodRadius(converged, paired, options.normal_neighbors);
+  Sandwich sum;
+  for (const std::vector<std::size_t>& cell : GroupByCell(converged, paired, std::max(edge, 1e-9))) {
+    Pose3::Tangent gradient = Pose3::Tangent::Zero();
+    for (const std::size_t i : cell) gradient += AddPair(converged, options, i, sum);
+    sum.B += gradient * gradient.transpose();
+    if (sum.pairs >= kPairs) break;
+  }
+  Assessment assessment;
+  assessment.observability = ObserveMotions(sum.motions, sum.with_normal, options.min_observability);
+  const double share = static_cast<double>(sum.pairs) / static_cast<double>(paired.size());
+  const Pose3::Square about_center =
+      share * Covariance(sum, assessment.observability, converged.length, options.max_distance);
+  const Pose3::Square shift = Pose3{Eigen::Quaterniond::Identity(), converged.center_data}.Adjoint();
+  assessment.covariance = shift * about_center * shift.transpose();
+  return assessment;
+}
+
+}  // namespace ariadne::slam
