@@ -33,5 +33,6 @@ foreach(rule IN LISTS rules)
 endforeach()
 
 if(violations)
-  message(FATAL_ERROR "forbidden includes (USES in the CMakeLists.txt of a folder says what it may see):\n${violations}")
+  message("Forbidden includes (USES in the CMakeLists.txt of a folder says what it may include):\n${violations}")
+  message(FATAL_ERROR "The direction of the dependencies is broken, see above.")
 endif()

@@ -158,7 +158,7 @@ AlignData PrepareData(const PointCloud& data, const AlignOptions& options) {
 AlignResult Align(const AlignModel& model, const AlignData& data, const Pose3& T_model_data_guess,
                   const AlignOptions& options,
                   const std::function<void(const AlignIteration&)>& on_iteration) {
-  CheckOptions(options, "align.");
+  CheckOptions(options, "icp.");
   if (!IsFinite(T_model_data_guess))
     return BadInput("the guess of the pose is not finite", T_model_data_guess);
   const Pose3 start = options.search_radius > 0.0 ? FindStart(model, data, T_model_data_guess, options)

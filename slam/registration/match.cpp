@@ -121,23 +121,29 @@ MatchResult MatchSimultaneously(const Context& c) {
   return result;
 }
 
+MatchResult Dispatch(const Context& c) {
+  const bool any =
+      std::any_of(c.scans.begin(), c.scans.end() - 1, [](const MapScan& s) { return s.registered; });
+  if (!any) return Unmatched("no scan is registered yet");
+  switch (c.match.method) {
+    case MatchMethod::kPairwise:
+      return MatchPairwise(c);
+    case MatchMethod::kMetascan:
+      return MatchToMetascan(c);
+    case MatchMethod::kSimultaneous:
+      return MatchSimultaneously(c);
+  }
+  return {};
+}
+
 }  // namespace
 
 MatchResult MatchNewScan(std::vector<MapScan>& scans, const MatchOptions& match, const AlignOptions& align,
                          const MatchCallback& on_progress) {
-  const Context context{scans, match, align, on_progress, Parallel(align.threads)};
-  const bool any =
-      std::any_of(scans.begin(), scans.end() - 1, [](const MapScan& s) { return s.registered; });
-  if (!any) return Unmatched("no scan is registered yet");
-  switch (match.method) {
-    case MatchMethod::kPairwise:
-      return MatchPairwise(context);
-    case MatchMethod::kMetascan:
-      return MatchToMetascan(context);
-    case MatchMethod::kSimultaneous:
-      return MatchSimultaneously(context);
-  }
-  return {};
+  const Pose3 T_map_laser_guess = scans.back().T_map_laser;
+  MatchResult result = Dispatch({scans, match, align, on_progress, Parallel(align.threads)});
+  result.T_map_laser_guess = T_map_laser_guess;
+  return result;
 }
 
 }  // namespace ariadne::slam

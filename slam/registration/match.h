@@ -23,6 +23,7 @@ struct MatchStep {
 /// How a new scan was matched.
 struct MatchResult {
   bool registered = false;
+  Pose3 T_map_laser_guess;       // from which it was matched
   std::string message;           // why not, or how the last step ended
   std::vector<MatchStep> steps;  // in order; the first is the alignment of the new scan
 };

@@ -1,0 +1,93 @@
+#include "experiments/report/table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace ariadne::experiments {
+namespace {
+
+std::string CsvCell(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string CsvLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + CsvCell(cells[i]);
+  return line + "\n";
+}
+
+bool LooksNumeric(const std::string& text) {
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return error == std::errc{} && stop != text.data();
+}
+
+/// Terminal columns of UTF-8 text: bytes that do not continue a character.
+std::size_t DisplayWidth(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string LatexCell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '%' || c == '_' || c == '&' || c == '#') escaped += '\\';
+    escaped += c;
+  }
+  return escaped;
+}
+
+std::string LatexLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? " & " : "") + LatexCell(cells[i]);
+  return line + " \\\\\n";
+}
+
+}  // namespace
+
+std::string ToCsv(const Table& table) {
+  std::string text = CsvLine(table.columns);
+  for (const auto& row : table.rows) text += CsvLine(row);
+  return text;
+}
+
+std::string ToText(const Table& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& column : table.columns) widths.push_back(DisplayWidth(column));
+  for (const auto& row : table.rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], DisplayWidth(row[i]));
+  }
+  const auto line = [&](const std::vector<std::string>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string padding(widths[i] - DisplayWidth(cells[i]), ' ');
+      const bool number = !table.rows.empty() && LooksNumeric(table.rows.front()[i]);
+      text += (i > 0 ? "  " : "") + (number ? padding + cells[i] : cells[i] + padding);
+    }
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text + "\n";
+  };
+  std::string text = line(table.columns);
+  for (const auto& row : table.rows) text += line(row);
+  return text;
+}
+
+std::string ToLatex(const Table& table) {
+  std::string columns;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    columns += !table.rows.empty() && LooksNumeric(table.rows.front()[i]) ? 'r' : 'l';
+  }
+  std::string text =
+      "\\begin{tabular}{" + columns + "}\n\\toprule\n" + LatexLine(table.columns) + "\\midrule\n";
+  for (const auto& row : table.rows) text += LatexLine(row);
+  return text + "\\bottomrule\n\\end{tabular}\n";
+}
+
+std::string Exact(double value) { return fmt::format("{}", value); }
+
+}  // namespace ariadne::experiments

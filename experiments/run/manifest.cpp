@@ -1,0 +1,65 @@
+#include "experiments/run/manifest.h"
+
+#include <ariadne_version.h>
+#include <openssl/evp.h>
+#include <png.h>
+#include <tbb/version.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <fstream>
+#include <memory>
+#include <nanoflann.hpp>
+
+#include "slam/base/error.h"
+#include "slam/io/file.h"
+
+namespace ariadne::experiments {
+namespace {
+
+std::string ProcessorName() {
+  std::ifstream in("/proc/cpuinfo");
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  }
+  return "unknown";
+}
+
+Json Libraries() {
+  return {{"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"nanoflann", fmt::format("{:x}", NANOFLANN_VERSION)},
+          {"tbb", TBB_VERSION_STRING},
+          {"fmt", FMT_VERSION},
+          {"png", PNG_LIBPNG_VER_STRING}};
+}
+
+}  // namespace
+
+std::string Sha256OfFile(const std::filesystem::path& path) {
+  std::ifstream in = slam::OpenForReading(path);
+  const std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context(EVP_MD_CTX_new(), &EVP_MD_CTX_free);
+  EVP_DigestInit_ex(context.get(), EVP_sha256(), nullptr);
+  std::vector<char> buffer(1 << 20);
+  while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())), in.gcount() > 0) {
+    EVP_DigestUpdate(context.get(), buffer.data(), static_cast<std::size_t>(in.gcount()));
+  }
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  EVP_DigestFinal_ex(context.get(), digest.data(), &size);
+  std::string text;
+  for (unsigned int i = 0; i < size; ++i) text += fmt::format("{:02x}", digest[i]);
+  return text;
+}
+
+Json MakeManifest(const std::vector<std::filesystem::path>& inputs) {
+  Json files = Json::object();
+  for (const std::filesystem::path& input : inputs) files[input.filename().string()] = Sha256OfFile(input);
+  return {{"commit", kCommit},
+          {"dirty", kDirty},
+          {"compiler", __VERSION__},
+          {"libraries", Libraries()},
+          {"processor", ProcessorName()},
+          {"inputs", files}};
+}
+
+}  // namespace ariadne::experiments

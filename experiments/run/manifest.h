@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "experiments/run/run_directory.h"
+
+namespace ariadne::experiments {
+
+/// What a run has been made with: commit, compiler, libraries, processor, and the SHA-256 of each input
+/// file. The same on each run by the same build on the same machine.
+Json MakeManifest(const std::vector<std::filesystem::path>& inputs);
+
+/// In hexadecimal.
+std::string Sha256OfFile(const std::filesystem::path& path);
+
+}  // namespace ariadne::experiments

@@ -1,0 +1,65 @@
+#include "experiments/studies/catalog.h"
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "experiments/studies/fig_03.h"
+#include "experiments/studies/fig_05.h"
+#include "experiments/studies/register.h"
+#include "experiments/studies/table_1.h"
+
+namespace ariadne::experiments {
+namespace {
+
+/// A study from its options and the function that runs it.
+template <typename Options, typename Run>
+Study MakeStudy(const std::string& name, const std::string& summary, Run run) {
+  const auto config = [name](const Options& options) {
+    return fmt::format("experiment: {}\n{}", name, WriteOptions(options));
+  };
+  Study study{name, summary, DescribeOptions<Options>, {}, {}, {}};
+  study.defaults = [config] { return config(Options()); };
+  study.resolve = [config](const OptionEntries& entries) { return config(ReadOptions<Options>(entries)); };
+  study.run = [config, run](const OptionEntries& entries, const RunDirectory& directory,
+                            ProgressDisplay& progress) {
+    const auto options = ReadOptions<Options>(entries);
+    directory.WriteText("config.yaml", config(options));
+    return run(options, directory, progress);
+  };
+  return study;
+}
+
+std::string RunRegisterStudy(const RegisterOptions& options, const RunDirectory& run,
+                             ProgressDisplay& progress) {
+  const RegisterSummary summary = RunRegister(options, run, progress);
+  if (summary.unregistered > 0) {
+    progress.Keep(fmt::format("{} of {} scans could not be registered; scans.csv says why",
+                              summary.unregistered, summary.scans));
+  }
+  return fmt::format("{}\n{}\n{}\n", ToText(summary.table), summary.residuals, summary.errors);
+}
+
+}  // namespace
+
+const std::vector<Study>& AllStudies() {
+  static const std::vector<Study> kStudies{
+      MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
+      MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
+                               RunTable1),
+      MakeStudy<Fig03Options>("fig_03", "two scans before, during and after ICP", RunFig03),
+      MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05)};
+  return kStudies;
+}
+
+const Study& FindStudy(const std::string& name) {
+  const std::vector<Study>& studies = AllStudies();
+  const auto found =
+      std::find_if(studies.begin(), studies.end(), [&](const Study& s) { return s.name == name; });
+  if (found != studies.end()) return *found;
+  std::vector<std::string> names;
+  for (const Study& study : studies) names.push_back(study.name);
+  Fail("there is no experiment '{}'; there are {}", name, fmt::join(names, ", "));
+}
+
+}  // namespace ariadne::experiments

@@ -1,0 +1,45 @@
+#include "slam/mapper.h"
+
+#include "slam/base/error.h"
+
+namespace ariadne::slam {
+
+Mapper::Mapper(const MapperOptions& options) : options_(options) { CheckOptions(options); }
+
+MatchResult Mapper::AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress) {
+  scans_.push_back(Prepare(scan_odom));
+  last_T_odom_laser_ = scan_odom.T_map_laser;
+  if (scans_.size() > 1) return MatchNewScan(scans_, options_.registration, options_.icp, on_progress);
+  scans_.front().registered = true;
+  MatchResult result;
+  result.registered = true;
+  result.T_map_laser_guess = scans_.front().T_map_laser;
+  result.message = "master: it defines the map's coordinates";
+  return result;
+}
+
+void Mapper::RestoreScan(const PosedCloud& scan_odom, const Pose3& T_map_laser, bool registered) {
+  scans_.push_back(Prepare(scan_odom));
+  scans_.back().T_map_laser = T_map_laser;
+  scans_.back().registered = registered;
+  last_T_odom_laser_ = scan_odom.T_map_laser;
+}
+
+MapScan Mapper::Prepare(const PosedCloud& scan_odom) const {
+  const auto [min_range, max_range] = options_.scan;
+  const PointCloud in_range = WithinRange(scan_odom.cloud_laser, min_range, max_range);
+  if (in_range.empty()) {
+    Fail("{}: none of its {} points is between scan.min_range={} and scan.max_range={} m", scan_odom.name,
+         scan_odom.cloud_laser.size(), min_range, max_range);
+  }
+  PointCloud reduced = Reduce(in_range, options_.reduce);
+  KdTree tree(reduced.positions);
+  return {scan_odom.name, std::move(reduced), std::move(tree), Guess(scan_odom.T_map_laser), false};
+}
+
+Pose3 Mapper::Guess(const Pose3& T_odom_laser) const {
+  if (scans_.empty()) return T_odom_laser;
+  return scans_.back().T_map_laser * (last_T_odom_laser_.Inverse() * T_odom_laser);
+}
+
+}  // namespace ariadne::slam
