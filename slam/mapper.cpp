@@ -34,7 +34,9 @@ MapScan Mapper::Prepare(const PosedCloud& scan_odom) const {
   }
   PointCloud reduced = Reduce(in_range, options_.reduce);
   KdTree tree(reduced.positions);
-  return {scan_odom.name, std::move(reduced), std::move(tree), Guess(scan_odom.T_map_laser), false};
+  MapScan scan{scan_odom.name, std::move(reduced), std::move(tree), Guess(scan_odom.T_map_laser)};
+  RequireSurfaces(scan, options_.icp.normal_neighbors, Parallel(options_.icp.threads));
+  return scan;
 }
 
 Pose3 Mapper::Guess(const Pose3& T_odom_laser) const {

@@ -6,39 +6,54 @@
 #include "slam/registration/correspondences.h"
 
 namespace ariadne::experiments {
+namespace {
 
-PairResidual MeasureResidual(const slam::KdTree& model_laser,
-                             const std::vector<Eigen::Vector3d>& data_laser,
+double Median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double Rms(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+}  // namespace
+
+PairResidual MeasureResidual(const slam::MapScan& model, const slam::MapScan& data,
                              const slam::Pose3& T_model_data, double max_distance,
                              const Parallel& parallel) {
+  const std::vector<Eigen::Vector3d>& points = data.points_laser.positions;
   const slam::Correspondences found =
-      slam::FindByKdTree(model_laser, data_laser, T_model_data, max_distance, parallel);
-  std::vector<double> squared;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < found.model_index.size(); ++i) {
-    if (found.model_index[i] == slam::kNoPoint) continue;
-    squared.push_back(found.squared_distance[i]);
-    sum += found.squared_distance[i];
+      slam::FindByKdTree(model.tree_laser, points, T_model_data, max_distance, parallel);
+  std::vector<double> distances, plane_distances;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::uint32_t m = found.model_index[i];
+    if (m == slam::kNoPoint) continue;
+    distances.push_back(std::sqrt(found.squared_distance[i]));
+    const slam::SurfacePoint& surface = model.surfaces_laser[m];
+    if (!surface.has_normal()) continue;
+    plane_distances.push_back(
+        std::abs(surface.normal.dot(T_model_data * points[i] - model.tree_laser.points()[m])));
   }
-  if (squared.empty()) return {};
-  const auto middle = squared.begin() + static_cast<std::ptrdiff_t>(squared.size() / 2);
-  std::nth_element(squared.begin(), middle, squared.end());
-  return {squared.size(), std::sqrt(*middle), std::sqrt(sum / static_cast<double>(squared.size()))};
+  return {distances.size(), Median(distances), Median(plane_distances), Rms(plane_distances)};
 }
 
 std::vector<ResidualChange> MeasureResiduals(const std::vector<slam::MapScan>& scans,
                                              const std::vector<slam::Pose3>& T_odom_laser,
-                                             std::size_t min_pairs, double max_distance,
-                                             const Parallel& parallel) {
+                                             const ResidualOptions& options, const Parallel& parallel) {
   std::vector<ResidualChange> changes;
   for (std::size_t data = 1; data < scans.size(); ++data) {
     for (std::size_t model = 0; model < data; ++model) {
       const auto measure = [&](const slam::Pose3& T_map_model, const slam::Pose3& T_map_data) {
-        return MeasureResidual(scans[model].tree_laser, scans[data].points_laser.positions,
-                               T_map_model.Inverse() * T_map_data, max_distance, parallel);
+        return MeasureResidual(scans[model], scans[data], T_map_model.Inverse() * T_map_data,
+                               options.max_distance, parallel);
       };
       const PairResidual after = measure(scans[model].T_map_laser, scans[data].T_map_laser);
-      if (after.pairs <= min_pairs) continue;
+      if (after.pairs <= options.min_pairs) continue;
       changes.push_back({model, data, measure(T_odom_laser[model], T_odom_laser[data]), after});
     }
   }

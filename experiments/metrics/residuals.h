@@ -7,16 +7,17 @@
 
 namespace ariadne::experiments {
 
-/// How well one scan lies on another: of the distances from its points to the nearest points of the other
-/// that are within the gate.
+/// How well one scan lies on another (whose surfaces are estimated), by its points whose nearest point of
+/// the other is within the gate.
 struct PairResidual {
   std::size_t pairs = 0;
-  double median = 0.0;  // [m]
-  double rms = 0.0;     // [m]
+  double median = 0.0;  // of the distances between the points; the spacing of the points is its floor [m]
+  double plane_median =
+      0.0;  // of the distances to the other's surface at its point, where it has a normal [m]
+  double plane_rms = 0.0;  // of the same [m]
 };
 
-PairResidual MeasureResidual(const slam::KdTree& model_laser,
-                             const std::vector<Eigen::Vector3d>& data_laser,
+PairResidual MeasureResidual(const slam::MapScan& model, const slam::MapScan& data,
                              const slam::Pose3& T_model_data, double max_distance,
                              const Parallel& parallel);
 
@@ -28,10 +29,14 @@ struct ResidualChange {
   PairResidual after;
 };
 
-/// Of all pairs of scans that overlap in the map by more than min_pairs points.
+struct ResidualOptions {
+  std::size_t min_pairs = 250;  // two scans with more pairs than this overlap
+  double max_distance = 0.5;    // the gate [m]
+};
+
+/// Of all pairs of scans that overlap in the map.
 std::vector<ResidualChange> MeasureResiduals(const std::vector<slam::MapScan>& scans,
                                              const std::vector<slam::Pose3>& T_odom_laser,
-                                             std::size_t min_pairs, double max_distance,
-                                             const Parallel& parallel);
+                                             const ResidualOptions& options, const Parallel& parallel);
 
 }  // namespace ariadne::experiments

@@ -35,13 +35,26 @@ ScanSource::ScanSource(const InputOptions& options) {
   } else {
     OpenFolder(options);
   }
+  Select(options);
+}
+
+void ScanSource::Select(const InputOptions& options) {
+  const std::size_t count = entries_.size();
+  const auto begin = static_cast<std::size_t>(options.first);
+  const std::size_t end = options.last < 0 ? count : static_cast<std::size_t>(options.last) + 1;
+  if (end > count || begin >= end) {
+    Fail("{}: scans {} to {} were asked for (input.first, input.last), but there are 0 to {}",
+         options.folder, options.first, options.last, count - 1);
+  }
+  entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(end), entries_.end());
+  entries_.erase(entries_.begin(), entries_.begin() + static_cast<std::ptrdiff_t>(begin));
 }
 
 void ScanSource::OpenOffice(const OfficeScanOptions& options) {
   const std::vector<slam::Pose3> truth = TrueLaserPoses(options);
   const std::vector<slam::Pose3> odometry = OdometryPoses(options);
   for (std::size_t i = 0; i < truth.size(); ++i) {
-    entries_.push_back({fmt::format("scan{:03}", i), odometry[i], truth[i], {}});
+    entries_.push_back({fmt::format("scan{:03}", i), i, odometry[i], truth[i], {}});
   }
   office_ = options;
   notes_.push_back(fmt::format("simulated office, seed {}: the true poses are known", options.seed));
@@ -57,14 +70,9 @@ void ScanSource::OpenFolder(const InputOptions& options) {
                             : slam::ReadInitialPoses(list, ExpandDataPath(options.poses));
   notes_.push_back(poses ? "first guesses of the poses from " + poses->source
                          : "no poses beside the scans: all start at the identity (see input.poses)");
-  const std::size_t end = options.last < 0 ? list.scans.size() : static_cast<std::size_t>(options.last) + 1;
-  if (end > list.scans.size() || static_cast<std::size_t>(options.first) >= end) {
-    Fail("{}: scans {} to {} were asked for, but there are {} (0 to {})", options.folder, options.first,
-         options.last, list.scans.size(), list.scans.size() - 1);
-  }
-  for (std::size_t i = static_cast<std::size_t>(options.first); i < end; ++i) {
-    entries_.push_back(
-        {list.scans[i].name, poses ? poses->T_map_laser[i] : slam::Pose3{}, {}, list.scans[i].path});
+  for (std::size_t i = 0; i < list.scans.size(); ++i) {
+    const slam::ScanFile& scan = list.scans[i];
+    entries_.push_back({scan.name, i, poses ? poses->T_map_laser[i] : slam::Pose3{}, {}, scan.path});
   }
   format_ = list.format;
 }
@@ -72,7 +80,7 @@ void ScanSource::OpenFolder(const InputOptions& options) {
 slam::PosedCloud ScanSource::Read(std::size_t i) const {
   const Entry& entry = entries_[i];
   slam::PointCloud cloud_laser =
-      entry.file.empty() ? ScanOffice(office_, i) : slam::ReadCloud(entry.file, format_).cloud;
+      entry.file.empty() ? ScanOffice(office_, entry.number) : slam::ReadCloud(entry.file, format_).cloud;
   return {entry.name, std::move(cloud_laser), entry.T_odom_laser};
 }
 

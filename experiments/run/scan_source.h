@@ -57,12 +57,14 @@ class ScanSource {
  private:
   struct Entry {
     std::string name;
+    std::size_t number = 0;  // in natural order, over all that there are
     slam::Pose3 T_odom_laser;
     std::optional<slam::Pose3> T_map_laser_true;
     std::filesystem::path file;  // empty: a built-in scan
   };
   void OpenOffice(const OfficeScanOptions& options);
   void OpenFolder(const InputOptions& options);
+  void Select(const InputOptions& options);
 
   std::vector<Entry> entries_;
   OfficeScanOptions office_;

@@ -31,21 +31,27 @@ Table SummaryTable(const RegisterLog& log, const std::vector<double>& match_seco
 }
 
 Table ResidualTable(const std::vector<ResidualChange>& residuals) {
-  Table table{{"model", "data", "pairs_before", "median_before_m", "rms_before_m", "pairs_after",
-               "median_after_m", "rms_after_m"},
-              {}};
+  Table table{
+      {"model", "data", "pairs_before", "median_before_m", "plane_median_before_m", "plane_rms_before_m",
+       "pairs_after", "median_after_m", "plane_median_after_m", "plane_rms_after_m"},
+      {}};
   for (const ResidualChange& r : residuals) {
-    table.rows.push_back({std::to_string(r.model), std::to_string(r.data), std::to_string(r.before.pairs),
-                          Exact(r.before.median), Exact(r.before.rms), std::to_string(r.after.pairs),
-                          Exact(r.after.median), Exact(r.after.rms)});
+    table.rows.push_back({std::to_string(r.model), std::to_string(r.data)});
+    for (const PairResidual& residual : {r.before, r.after}) {
+      for (const std::string& cell : {std::to_string(residual.pairs), Exact(residual.median),
+                                      Exact(residual.plane_median), Exact(residual.plane_rms)}) {
+        table.rows.back().push_back(cell);
+      }
+    }
   }
   return table;
 }
 
-/// The median over the pairs of scans of their median distances. [m]
-double MedianResidual(const std::vector<ResidualChange>& residuals, PairResidual ResidualChange::*when) {
+/// The median over the pairs of scans of their median distances to the other's surface. [m]
+double MedianPlaneDistance(const std::vector<ResidualChange>& residuals,
+                           PairResidual ResidualChange::*when) {
   std::vector<double> medians;
-  for (const ResidualChange& r : residuals) medians.push_back((r.*when).median);
+  for (const ResidualChange& r : residuals) medians.push_back((r.*when).plane_median);
   if (medians.empty()) return 0.0;
   const auto middle = medians.begin() + static_cast<std::ptrdiff_t>(medians.size() / 2);
   std::nth_element(medians.begin(), middle, medians.end());
@@ -90,26 +96,30 @@ RegisterSummary ReportRegistration(const RegisterOptions& options, const ScanSou
                                    const std::vector<double>& match_seconds, const RunDirectory& run) {
   std::vector<slam::Pose3> T_odom_laser;
   for (std::size_t i = 0; i < source.size(); ++i) T_odom_laser.push_back(source.T_odom_laser(i));
-  const std::vector<ResidualChange> residuals = MeasureResiduals(
-      mapper.scans(), T_odom_laser, static_cast<std::size_t>(options.mapper.registration.overlap_pairs),
-      options.mapper.icp.max_distance, Parallel(options.mapper.icp.threads));
-  const double before = MedianResidual(residuals, &ResidualChange::before);
-  const double after = MedianResidual(residuals, &ResidualChange::after);
+  const slam::AlignOptions& icp = options.mapper.icp;
+  const ResidualOptions residual_options{
+      static_cast<std::size_t>(options.mapper.registration.overlap_pairs),
+      std::max(icp.max_distance, icp.start_distance)};
+  const std::vector<ResidualChange> residuals =
+      MeasureResiduals(mapper.scans(), T_odom_laser, residual_options, Parallel(icp.threads));
+  const double before = MedianPlaneDistance(residuals, &ResidualChange::before);
+  const double after = MedianPlaneDistance(residuals, &ResidualChange::after);
   const Json truth = TruthMetrics(source, log);
   RegisterSummary summary{SummaryTable(log, match_seconds), source.size(), 0, "", ErrorSentence(truth)};
   summary.unregistered =
       static_cast<std::size_t>(std::count(log.registered.begin(), log.registered.end(), false));
   summary.residuals = fmt::format(
-      "median distance between overlapping scans, over {} pairs of scans: {:.2f} cm before, {:.2f} cm "
-      "after",
+      "distance of a scan's points to the surface of another, median over {} overlapping pairs: {:.2f} cm "
+      "before, "
+      "{:.2f} cm after",
       residuals.size(), 100.0 * before, 100.0 * after);
   run.WriteCsv("residuals.csv", ResidualTable(residuals));
   run.WriteJson("metrics.json", {{"scans", summary.scans},
                                  {"registered", summary.scans - summary.unregistered},
                                  {"alignments", log.steps.rows.size()},
                                  {"overlapping_pairs", residuals.size()},
-                                 {"median_residual_before_m", before},
-                                 {"median_residual_after_m", after},
+                                 {"median_plane_distance_before_m", before},
+                                 {"median_plane_distance_after_m", after},
                                  {"errors", truth}});
   return summary;
 }

@@ -1,6 +1,7 @@
 #include <tsl/robin_map.h>
 
 #include <cmath>
+#include <optional>
 
 #include "slam/base/error.h"
 #include "slam/geometry/box3.h"
@@ -29,6 +30,11 @@ struct Members {
   std::uint64_t lot = 0;
 };
 
+void RequireFinite(const PointCloud& cloud) {
+  const std::optional<std::size_t> bad = FirstNonFinite(cloud);
+  if (bad) Fail("point {} is not finite", *bad);
+}
+
 /// Three cell coordinates in 63 bits.
 std::uint64_t Key(const Eigen::Vector3d& cell) {
   constexpr double kHalf = 1 << 20;
@@ -42,18 +48,26 @@ std::uint64_t Key(const Eigen::Vector3d& cell) {
   return key;
 }
 
-/// A number that belongs to a point and looks random (splitmix64).
-std::uint64_t Lot(std::uint64_t seed, std::size_t i) {
-  std::uint64_t z = seed * 0x9E3779B97F4A7C15ULL + i + 1;
+/// Spreads every bit over all others (splitmix64).
+std::uint64_t Mix(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBULL;
   return z ^ (z >> 31);
 }
 
+/// The map takes a key's place from its low bits, which alone are those of z: without mixing, all cells of
+/// one height collide.
+struct KeyHash {
+  std::size_t operator()(std::uint64_t key) const { return Mix(key); }
+};
+
+/// A number that belongs to a point and looks random.
+std::uint64_t Lot(std::uint64_t seed, std::size_t i) { return Mix(seed * 0x9E3779B97F4A7C15ULL + i + 1); }
+
 /// The occupied cells in the order in which the cloud first enters them.
 std::vector<Members> Gather(const PointCloud& cloud, const Lattice& lattice, std::uint64_t seed) {
   std::vector<Members> cells;
-  tsl::robin_map<std::uint64_t, std::size_t> index;
+  tsl::robin_map<std::uint64_t, std::size_t, KeyHash> index;
   index.reserve(cloud.size() / 4);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const Eigen::Vector3d cell = lattice.Cell(cloud.positions[i]);
@@ -98,11 +112,13 @@ PointCloud ReduceToCells(const PointCloud& cloud, const Lattice& lattice, Repres
 }  // namespace
 
 PointCloud ReduceVoxels(const PointCloud& cloud, double voxel_size) {
+  RequireFinite(cloud);
   return ReduceToCells(cloud, {Eigen::Vector3d::Zero(), voxel_size}, Representative::kMean, 0);
 }
 
 PointCloud ReduceOctree(const PointCloud& cloud, double voxel_size, Representative representative,
                         std::uint64_t seed) {
+  RequireFinite(cloud);
   if (cloud.empty()) return {};
   constexpr double kMargin = 0.01;  // as in 3DTK, whose leaves can then be compared one by one [m]
   const Box3 box = BoxAround(cloud.positions);

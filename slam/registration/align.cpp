@@ -13,6 +13,8 @@
 namespace ariadne::slam {
 namespace {
 
+constexpr const char* kSection = "icp.";  // of the options, in messages
+
 /// The poses and errors so far, and whether there is a reason to stop.
 class Progress {
  public:
@@ -39,7 +41,8 @@ class Progress {
     return close(iterations_[n - 2]) && close(iterations_[n - 3]);
   }
 
-  /// Pairs that come and go can carry the pose round in a circle for ever: it is back where it was.
+  /// Pairs that come and go can carry the pose round in a circle for ever: it is back where it was, at the
+  /// place of the circle with the smallest rms (else rounding would decide where the circle is noticed).
   bool InCycle() const {
     constexpr std::size_t kLongest = 12;
     constexpr double kSame = 1e-10;  // [m], [rad]
@@ -48,7 +51,10 @@ class Progress {
       if (iterations_[before].max_distance != iterations_.back().max_distance) return false;
       if (TranslationDistance(poses_[before], poses_.back()) < kSame &&
           RotationDistance(poses_[before], poses_.back()) < kSame) {
-        return true;
+        const auto best = std::min_element(
+            iterations_.begin() + static_cast<std::ptrdiff_t>(before), iterations_.end(),
+            [](const AlignIteration& a, const AlignIteration& b) { return a.rms < b.rms; });
+        return iterations_.back().rms <= best->rms + kSame;
       }
     }
     return false;
@@ -135,10 +141,15 @@ std::string_view Name(AlignStatus status) {
   return kNames[static_cast<std::size_t>(status)];
 }
 
+bool NeedsModelSurfaces(const AlignOptions& options) {
+  return options.metric != Metric::kPointToPoint || options.skip_boundary;
+}
+
 AlignModel PrepareModel(const PointCloud& model, const AlignOptions& options) {
+  CheckOptions(options, kSection);
   RequireUsable("model", model.positions);
   AlignModel prepared{KdTree(model.positions), {}};
-  if (options.metric != Metric::kPointToPoint || options.skip_boundary) {
+  if (NeedsModelSurfaces(options)) {
     prepared.surfaces =
         EstimateSurfaces(prepared.tree, options.normal_neighbors, Parallel(options.threads));
   }
@@ -146,6 +157,7 @@ AlignModel PrepareModel(const PointCloud& model, const AlignOptions& options) {
 }
 
 AlignData PrepareData(const PointCloud& data, const AlignOptions& options) {
+  CheckOptions(options, kSection);
   RequireUsable("data", data.positions);
   AlignData prepared{data.positions, {}};
   if (options.metric == Metric::kPlaneToPlane) {
@@ -158,7 +170,7 @@ AlignData PrepareData(const PointCloud& data, const AlignOptions& options) {
 AlignResult Align(const AlignModel& model, const AlignData& data, const Pose3& T_model_data_guess,
                   const AlignOptions& options,
                   const std::function<void(const AlignIteration&)>& on_iteration) {
-  CheckOptions(options, "icp.");
+  CheckOptions(options, kSection);
   if (!IsFinite(T_model_data_guess))
     return BadInput("the guess of the pose is not finite", T_model_data_guess);
   const Pose3 start = options.search_radius > 0.0 ? FindStart(model, data, T_model_data_guess, options)

@@ -60,7 +60,10 @@ struct AlignModel {
   std::vector<SurfacePoint> surfaces;  // one per point, or empty where neither metric nor filter needs them
 };
 
-/// Throws an Error for an empty cloud or a point that is not finite.
+/// Whether the metric or a filter looks at the model's surfaces.
+bool NeedsModelSurfaces(const AlignOptions& options);
+
+/// Throws an Error for an empty cloud, a point that is not finite, or an option out of its range.
 AlignModel PrepareModel(const PointCloud& model, const AlignOptions& options);
 
 /// The moving cloud with what the metric needs.

@@ -27,11 +27,26 @@ std::vector<std::size_t> FindOverlapping(const std::vector<MapScan>& scans, std:
   return overlapping;
 }
 
-PointCloud UnionInMap(const std::vector<MapScan>& scans, const std::vector<std::size_t>& members) {
-  PointCloud cloud_map;
-  for (const std::size_t i : members)
-    Append(cloud_map, Transformed(scans[i].T_map_laser, scans[i].points_laser));
-  return cloud_map;
+void RequireSurfaces(MapScan& scan, int neighbors, const Parallel& parallel) {
+  if (scan.surfaces_laser.empty())
+    scan.surfaces_laser = EstimateSurfaces(scan.tree_laser, neighbors, parallel);
+}
+
+AlignModel UnionInMap(const std::vector<MapScan>& scans, const std::vector<std::size_t>& members) {
+  std::vector<Eigen::Vector3d> points_map;
+  std::vector<SurfacePoint> surfaces_map;
+  for (const std::size_t i : members) {
+    const Eigen::Matrix3d R = scans[i].T_map_laser.RotationMatrix();
+    for (const Eigen::Vector3d& p : scans[i].points_laser.positions) {
+      points_map.push_back(R * p + scans[i].T_map_laser.translation);
+    }
+    for (SurfacePoint surface : scans[i].surfaces_laser) {
+      surface.normal = R * surface.normal;
+      surfaces_map.push_back(surface);
+    }
+  }
+  if (surfaces_map.size() != points_map.size()) surfaces_map.clear();  // not every member has them
+  return {KdTree(std::move(points_map)), std::move(surfaces_map)};
 }
 
 }  // namespace ariadne::slam

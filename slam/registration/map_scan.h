@@ -15,7 +15,11 @@ struct MapScan {
   KdTree tree_laser;        // of these points
   Pose3 T_map_laser;
   bool registered = false;  // false: T_map_laser is a guess, and no other scan may be matched to it
+  std::vector<SurfacePoint> surfaces_laser = {};  // one per point, once an alignment has needed them
 };
+
+/// Estimates the surfaces of a scan, unless that has been done.
+void RequireSurfaces(MapScan& scan, int neighbors, const Parallel& parallel);
 
 /// How many points of `data` have a point of `model` closer than max_distance [m], at the scans' poses.
 /// This is what the paper calls the overlap (Sec. 3.2).
@@ -27,7 +31,8 @@ std::vector<std::size_t> FindOverlapping(const std::vector<MapScan>& scans, std:
                                          std::size_t min_pairs, double max_distance,
                                          const Parallel& parallel);
 
-/// The points of several scans in map coordinates: the set M that a scan is aligned to.
-PointCloud UnionInMap(const std::vector<MapScan>& scans, const std::vector<std::size_t>& members);
+/// The points of several scans in map coordinates, with the surfaces that each scan has found by itself
+/// (scans that lie not yet on each other would spoil common ones): the set M that a scan is aligned to.
+AlignModel UnionInMap(const std::vector<MapScan>& scans, const std::vector<std::size_t>& members);
 
 }  // namespace ariadne::slam

@@ -32,9 +32,15 @@ MatchStep AlignToUnion(const Context& c, std::size_t scan, std::vector<std::size
   const auto on_iteration = [&](const AlignIteration& iteration) {
     if (c.on_progress) c.on_progress({scan, queued, &iteration});
   };
-  step.align =
-      Align(PrepareModel(UnionInMap(c.scans, step.partners), c.align),
-            PrepareData(current.points_laser, c.align), current.T_map_laser, c.align, on_iteration);
+  const bool planes = c.align.metric == Metric::kPlaneToPlane;
+  if (NeedsModelSurfaces(c.align)) {
+    for (const std::size_t i : step.partners)
+      RequireSurfaces(c.scans[i], c.align.normal_neighbors, c.parallel);
+  }
+  if (planes) RequireSurfaces(current, c.align.normal_neighbors, c.parallel);
+  const AlignData data{current.points_laser.positions,
+                       planes ? current.surfaces_laser : std::vector<SurfacePoint>{}};
+  step.align = Align(UnionInMap(c.scans, step.partners), data, current.T_map_laser, c.align, on_iteration);
   step.moved_translation = TranslationDistance(current.T_map_laser, step.align.T_model_data);
   step.moved_rotation = RotationDistance(current.T_map_laser, step.align.T_model_data);
   if (MayMove(step.align)) current.T_map_laser = step.align.T_model_data;
@@ -86,9 +92,8 @@ MatchResult MatchToMetascan(const Context& c) {
 
 /// One round of the queue (Sec. 3.2, step 3): aligns `current` to its neighbours, and queues them if it has
 /// moved.
-MatchStep PopCurrent(const Context& c, std::size_t current, std::deque<std::size_t>& queue) {
-  const std::vector<std::size_t> neighbors = FindOverlapping(
-      c.scans, current, static_cast<std::size_t>(c.match.overlap_pairs), c.align.max_distance, c.parallel);
+MatchStep PopCurrent(const Context& c, std::size_t current, const std::vector<std::size_t>& neighbors,
+                     std::deque<std::size_t>& queue) {
   MatchStep step = AlignToUnion(c, current, neighbors, queue.size());
   const bool moved = MayMove(step.align) && (step.moved_translation > c.match.moved_translation ||
                                              step.moved_rotation > c.match.moved_rotation);
@@ -113,7 +118,11 @@ MatchResult MatchSimultaneously(const Context& c) {
     const std::size_t current = queue.front();
     queue.pop_front();
     if (current == kMaster) continue;  // nothing is aligned, so nothing has moved
-    result.steps.push_back(PopCurrent(c, current, queue));
+    const std::vector<std::size_t> neighbors =
+        FindOverlapping(c.scans, current, static_cast<std::size_t>(c.match.overlap_pairs),
+                        c.align.max_distance, c.parallel);
+    if (neighbors.empty()) continue;  // its last motion, or theirs, has taken it away from all others
+    result.steps.push_back(PopCurrent(c, current, neighbors, queue));
   }
   result.message =
       fmt::format("{}; {} pops{}", result.message, pops,
@@ -125,6 +134,7 @@ MatchResult Dispatch(const Context& c) {
   const bool any =
       std::any_of(c.scans.begin(), c.scans.end() - 1, [](const MapScan& s) { return s.registered; });
   if (!any) return Unmatched("no scan is registered yet");
+  if (c.scans.back().points_laser.empty()) return Unmatched("the scan has no points");
   switch (c.match.method) {
     case MatchMethod::kPairwise:
       return MatchPairwise(c);

@@ -1,0 +1,104 @@
+#!/usr/bin/python3
+"""Runs the benchmark programs one after the other and prints the medians as ratios.
+
+run.py FOLDER_OF_PROGRAMS [FILTER]
+
+Times are only comparable within one run, and only on an otherwise idle machine; the load is printed.
+"""
+
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io"]
+REPETITIONS = 5
+
+# (what, numerator, denominator, goal)
+RATIOS = [
+    ("plain nanoflann loop / Align, reduced points, 1 thread",
+     "point_to_point/plain_loop/reduced/threads:1", "point_to_point/ariadne/reduced/threads:1", 2.0),
+    ("plain nanoflann loop / Align, all points, 1 thread",
+     "point_to_point/plain_loop/all/threads:1", "point_to_point/ariadne/all/threads:1", 2.0),
+    ("the same with covariance and observability, reduced points",
+     "point_to_point/plain_loop/reduced/threads:1", "point_to_point/ariadne_assessed/reduced/threads:1", None),
+    ("the same with covariance and observability, all points",
+     "point_to_point/plain_loop/all/threads:1", "point_to_point/ariadne_assessed/all/threads:1", None),
+    ("Align with 1 thread / with 2, reduced points",
+     "point_to_point/ariadne/reduced/threads:1", "point_to_point/ariadne/reduced/threads:2", 1.7),
+    ("Align with 1 thread / with 2, all points",
+     "point_to_point/ariadne/all/threads:1", "point_to_point/ariadne/all/threads:2", 1.7),
+    ("PCL / Align, reduced points", "point_to_point/pcl/reduced/threads:1",
+     "point_to_point/ariadne/reduced/threads:1", 8.0),
+    ("PCL / Align, all points", "point_to_point/pcl/all/threads:1", "point_to_point/ariadne/all/threads:1", 8.0),
+    ("Open3D / Align, reduced points", "point_to_point/open3d/reduced/threads:1",
+     "point_to_point/ariadne/reduced/threads:1", 4.0),
+    ("Open3D / Align, all points", "point_to_point/open3d/all/threads:1",
+     "point_to_point/ariadne/all/threads:1", 4.0),
+    ("PCL GICP / plane_to_plane, reduced points, whole",
+     "plane_to_plane/pcl/reduced/threads:1", "plane_to_plane/ariadne/reduced/threads:1", None),
+    ("brute force / k-d tree, one search of all pairs, reduced points",
+     "pairs/brute_force/reduced", "pairs/kd_tree/reduced", None),
+    ("PCL voxel grid / voxel_mean", "reduce/voxel_mean_pcl/all", "reduce/voxel_mean/all", None),
+    ("Open3D voxel grid / voxel_mean", "reduce/voxel_mean_open3d/all", "reduce/voxel_mean/all", None),
+]
+
+
+def measure(program, name_filter):
+    """Medians by name, and the context, of one benchmark program."""
+    with tempfile.NamedTemporaryFile(suffix=".json") as out:
+        environment = dict(os.environ, OMP_NUM_THREADS="1")
+        subprocess.run([program, f"--benchmark_out={out.name}", f"--benchmark_repetitions={REPETITIONS}",
+                        "--benchmark_report_aggregates_only=true", f"--benchmark_filter={name_filter}"],
+                       check=True, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        text = out.read() or b"{}"
+    result = json.loads(text)
+    medians = {b["run_name"].removesuffix("/real_time"): b
+               for b in result.get("benchmarks", []) if b.get("aggregate_name") == "median"}
+    return medians, result.get("context", {})
+
+
+def print_medians(medians):
+    print(f"\n{'median':>12}  benchmark")
+    for name, b in medians.items():
+        rate = f"  {b['bytes_per_second'] / 1e6:8.0f} MB/s" if "bytes_per_second" in b else ""
+        iterations = f"  {b['iterations_counter']:.0f} iterations" if "iterations_counter" in b else ""
+        print(f"{b['real_time']:9.3f} {b['time_unit']}  {name}{rate}{iterations}")
+
+
+def print_ratios(medians):
+    """Returns how many goals are missed."""
+    print(f"\n{'ratio':>8}  {'goal':>6}  what")
+    missed = 0
+    for what, numerator, denominator, goal in RATIOS:
+        if numerator not in medians or denominator not in medians:
+            continue
+        ratio = medians[numerator]["real_time"] / medians[denominator]["real_time"]
+        mark = "" if goal is None or ratio >= goal else "  MISSED"
+        missed += bool(mark)
+        print(f"{ratio:8.2f}  {'' if goal is None else f'>= {goal}':>6}  {what}{mark}")
+    return missed
+
+
+def main():
+    folder = sys.argv[1]
+    name_filter = (sys.argv[2] if len(sys.argv) > 2 else "") or "."
+    print(f"load before: {os.getloadavg()[0]:.2f}")
+    medians, data = {}, "?"
+    for name in PROGRAMS:
+        program = os.path.join(folder, name)
+        if not os.path.exists(program):
+            print(f"{name} is not built: the library is not installed")
+            continue
+        print(f"running {name} ...", flush=True)
+        found, context = measure(program, name_filter)
+        medians.update(found)
+        data = context.get("data", data)
+    print(f"data: {data}; medians of {REPETITIONS} repetitions; load after: {os.getloadavg()[0]:.2f}")
+    print_medians(medians)
+    print_ratios(medians)
+
+
+if __name__ == "__main__":
+    main()
