@@ -18,11 +18,12 @@ slam::Box3 MakeBox(double x0, double x1, double y0, double y1, double z0, double
 /// Distance to the entry into a box, by clipping the ray with its three slabs; infinity for a miss.
 double EntryDistance(const slam::Box3& box, const Eigen::Vector3d& origin,
                      const Eigen::Vector3d& direction) {
-  double enter = -std::numeric_limits<double>::infinity();
-  double leave = std::numeric_limits<double>::infinity();
+  constexpr double kMiss = std::numeric_limits<double>::infinity();
+  double enter = -kMiss;
+  double leave = kMiss;
   for (int axis = 0; axis < 3; ++axis) {
     if (direction[axis] == 0.0) {
-      if (origin[axis] < box.min()[axis] || origin[axis] > box.max()[axis]) return leave;
+      if (origin[axis] < box.min()[axis] || origin[axis] > box.max()[axis]) return kMiss;
       continue;
     }
     const double a = (box.min()[axis] - origin[axis]) / direction[axis];
@@ -30,7 +31,7 @@ double EntryDistance(const slam::Box3& box, const Eigen::Vector3d& origin,
     enter = std::max(enter, std::min(a, b));
     leave = std::min(leave, std::max(a, b));
   }
-  return enter > 0.0 && enter <= leave ? enter : std::numeric_limits<double>::infinity();
+  return enter > 0.0 && enter <= leave ? enter : kMiss;
 }
 
 /// A wall along x at y0..y1 from x0 to x1, with door gaps of full height 2.0 m and a lintel above.
