@@ -1,0 +1,139 @@
+#include "tests/fuzz/readers.h"
+
+#include <algorithm>
+#include <array>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include "slam/base/error.h"
+#include "slam/io/kitti.h"
+#include "slam/io/pcd.h"
+#include "slam/io/ply.h"
+#include "slam/io/trajectory.h"
+#include "slam/io/uos_cloud.h"
+#include "slam/io/uos_pose.h"
+#include "slam/io/xyz.h"
+#include "slam/scan/slices.h"
+
+namespace ariadne::fuzz {
+namespace {
+
+template <typename Read>
+auto ReadBytes(std::string_view bytes, const Read& read) {
+  std::istringstream in{std::string(bytes)};
+  return read(in, "input");
+}
+
+template <typename Write, typename Value>
+std::string Written(const Write& write, const Value& value) {
+  std::ostringstream out;
+  write(out, value);
+  return out.str();
+}
+
+/// Whether `read` accepts the bytes, and `write` can say what was read; then it must say it twice alike.
+template <typename Read, typename Write>
+bool Accepts(std::string_view bytes, const Read& read, const Write& write) {
+  std::string first;
+  try {
+    first = Written(write, ReadBytes(bytes, read));
+  } catch (const Error&) {
+    return false;
+  }
+  if (Written(write, ReadBytes(first, read)) != first) {
+    throw std::logic_error("written differently the second time");
+  }
+  return true;
+}
+
+slam::PointCloud ReadPcdCloud(std::istream& in, const std::string& name) {
+  return slam::ReadPcd(in, name).cloud;
+}
+
+template <slam::PlyEncoding kEncoding>
+void WritePlyAs(std::ostream& out, const slam::PointCloud& cloud) {
+  slam::WritePly(out, cloud, kEncoding);
+}
+
+template <slam::PcdEncoding kEncoding>
+void WritePcdAs(std::ostream& out, const slam::PointCloud& cloud) {
+  slam::WritePcd(out, cloud, kEncoding);
+}
+
+bool AcceptsUosCloud(std::string_view bytes) {
+  // What ReadCloud does with clouds that have no slices must survive any points as well.
+  const auto read = [](std::istream& in, const std::string& name) {
+    slam::PointCloud cloud = slam::ReadUosCloud(in, name);
+    slam::InferSlices(cloud.positions);
+    return cloud;
+  };
+  return Accepts(bytes, read, slam::WriteUosCloud);
+}
+/// Near 90 deg about y, Euler angles change with the last bits of a rotation: here the poses must be equal.
+bool AcceptsUosPose(std::string_view bytes) {
+  slam::Pose3 pose;
+  try {
+    pose = ReadBytes(bytes, slam::ReadUosPose);
+  } catch (const Error&) {
+    return false;
+  }
+  const slam::Pose3 again = ReadBytes(Written(slam::WriteUosPose, pose), slam::ReadUosPose);
+  const bool equal =
+      pose.translation.isApprox(again.translation, 1e-11) && RotationDistance(pose, again) < 1e-9;
+  if (!equal) throw std::logic_error("the pose that was written is not read");
+  return true;
+}
+bool AcceptsUosFrames(std::string_view bytes) {
+  return Accepts(bytes, slam::ReadUosFrames, slam::WriteUosFrames);
+}
+bool AcceptsXyz(std::string_view bytes) { return Accepts(bytes, slam::ReadXyz, slam::WriteXyz); }
+bool AcceptsPly(std::string_view bytes) {
+  return Accepts(bytes, slam::ReadPly, WritePlyAs<slam::PlyEncoding::kAscii>) &&
+         Accepts(bytes, slam::ReadPly, WritePlyAs<slam::PlyEncoding::kBinary>);
+}
+bool AcceptsPcd(std::string_view bytes) {
+  return Accepts(bytes, ReadPcdCloud, WritePcdAs<slam::PcdEncoding::kAscii>) &&
+         Accepts(bytes, ReadPcdCloud, WritePcdAs<slam::PcdEncoding::kBinary>) &&
+         Accepts(bytes, ReadPcdCloud, WritePcdAs<slam::PcdEncoding::kBinaryCompressed>);
+}
+bool AcceptsKitti(std::string_view bytes) { return Accepts(bytes, slam::ReadKitti, slam::WriteKitti); }
+bool AcceptsTum(std::string_view bytes) { return Accepts(bytes, slam::ReadTum, slam::WriteTum); }
+bool AcceptsPoseMatrices(std::string_view bytes) {
+  return Accepts(bytes, slam::ReadKittiPoses, slam::WriteKittiPoses);
+}
+bool AcceptsPoseList(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string& name) { return slam::ReadPoseList(in, name); };
+  return Accepts(bytes, read, slam::WritePoseList);
+}
+bool AcceptsAnyPoses(std::string_view bytes) {
+  const auto write = [](std::ostream& out, const std::vector<slam::NamedPose>& poses) {
+    for (const slam::NamedPose& named : poses) slam::WriteKittiPoses(out, std::span(&named.pose, 1));
+  };
+  return Accepts(bytes, slam::ReadAnyPoses, write);
+}
+
+constexpr std::array<Reader, 11> kReaders{{{"uos_cloud", AcceptsUosCloud},
+                                           {"uos_pose", AcceptsUosPose},
+                                           {"uos_frames", AcceptsUosFrames},
+                                           {"xyz", AcceptsXyz},
+                                           {"ply", AcceptsPly},
+                                           {"pcd", AcceptsPcd},
+                                           {"kitti", AcceptsKitti},
+                                           {"tum", AcceptsTum},
+                                           {"kitti_poses", AcceptsPoseMatrices},
+                                           {"pose_list", AcceptsPoseList},
+                                           {"any_poses", AcceptsAnyPoses}}};
+
+}  // namespace
+
+std::span<const Reader> Readers() { return kReaders; }
+
+int Feed(std::string_view reader, const std::uint8_t* data, std::size_t size) {
+  const auto found = std::find_if(kReaders.begin(), kReaders.end(),
+                                  [&](const Reader& known) { return known.name == reader; });
+  found->accepts({reinterpret_cast<const char*>(data), size});
+  return 0;
+}
+
+}  // namespace ariadne::fuzz
