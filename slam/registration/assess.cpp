@@ -15,11 +15,18 @@ constexpr std::size_t kPairs = 2000;           // on which a large cloud is asse
 constexpr std::size_t kRadiusSamples = 100;    // that tell how large neighbourhoods are
 constexpr double kCellPerNeighborhood = 2.0;   // edge of a cell over the radius of a neighbourhood
 using Jacobian = Eigen::Matrix<double, 3, 6>;  // of a data point by the tangent
+using UpTo6 = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;  // not on the heap
 
-/// The sums over the pairs of one or more cells.
-struct Sandwich {
+/// What one cell has to say about the pose.
+struct CellSum {
   Pose3::Square H = Pose3::Square::Zero();
-  Pose3::Square B = Pose3::Square::Zero();
+  Pose3::Tangent gradient = Pose3::Tangent::Zero();
+};
+
+/// The sums over the pairs of all cells that were looked at.
+struct Sandwich {
+  std::vector<CellSum> cells;
+  Pose3::Square H = Pose3::Square::Zero();
   Pose3::Square motions = Pose3::Square::Zero();  // of Observability
   std::size_t pairs = 0;
   std::size_t with_normal = 0;
@@ -56,8 +63,8 @@ Cells GroupByCell(const Converged& c, const std::vector<std::size_t>& paired, do
   return grouped;
 }
 
-/// Adds one pair to the sums; returns its part of the gradient.
-Pose3::Tangent AddPair(const Converged& c, const AlignOptions& options, std::size_t i, Sandwich& sum) {
+/// Adds one pair to its cell, and the motion that it holds to the sum.
+void AddPair(const Converged& c, const AlignOptions& options, std::size_t i, CellSum& cell, Sandwich& sum) {
   const std::uint32_t m = c.pairs.model_index[i];
   const Eigen::Matrix3d R_data_model = c.T_model_data.RotationMatrix().transpose();
   const SurfacePoint surface = c.model.surfaces.empty()
@@ -80,34 +87,37 @@ Pose3::Tangent AddPair(const Converged& c, const AlignOptions& options, std::siz
     const double w = c.weight(e.squaredNorm());
     const Pose3::Tangent along_normal = J.transpose() * normal;
     const double curvature = w + 2.0 * c.weight.Derivative(e.squaredNorm()) * std::pow(normal.dot(e), 2);
-    sum.H += curvature * along_normal * along_normal.transpose();
-    return w * J.transpose() * e;
+    cell.H += curvature * along_normal * along_normal.transpose();
+    cell.gradient += w * J.transpose() * e;
+    return;
   }
   const PlaneMetric metric{c.model.tree.points(), c.model.surfaces, c.data.points, c.data.surfaces};
   const PairError error = metric.Error(i, m, c.T_model_data, R_data_model);
   const Eigen::Matrix3d information = error.Information();
   const double w = c.weight(error.Squared());
   const double curvature = w + 2.0 * c.weight.Derivative(error.Squared()) * error.Squared();
-  sum.H += curvature * J.transpose() * information * J;
-  return w * J.transpose() * information * error.e;
+  cell.H += curvature * J.transpose() * information * J;
+  cell.gradient += w * J.transpose() * information * error.e;
 }
 
-/// The covariance about the center. Directions that are not observed get the variance of the gate: the data
-/// may have slid by anything that has kept the pairs.
-Pose3::Square Covariance(const Sandwich& sum, const Observability& observability, double length,
-                         double max_distance) {
+/// The covariance about the center from the cells, which are a share of all. Directions that are not
+/// observed get the variance of the gate: the data may have slid by anything that has kept the pairs.
+Pose3::Square Covariance(const Sandwich& sum, double share, const Observability& observability,
+                         double length, double max_distance) {
   Pose3::Tangent scale;
   scale << 1.0, 1.0, 1.0, 1.0 / length, 1.0 / length, 1.0 / length;
-  const Pose3::Square H = scale.asDiagonal() * sum.H * scale.asDiagonal();
-  const Pose3::Square B = scale.asDiagonal() * sum.B * scale.asDiagonal();
   const int free = observability.degenerate;
-  const Eigen::MatrixXd held = observability.directions.rightCols(Pose3::kDof - free);
-  const Eigen::MatrixXd slack = observability.directions.leftCols(free);
-  const Eigen::MatrixXd H_inverse = (held.transpose() * H * held).inverse();
-  const Pose3::Square covariance =
-      held * H_inverse * (held.transpose() * B * held) * H_inverse.transpose() * held.transpose() +
-      max_distance * max_distance * slack * slack.transpose();
-  return scale.asDiagonal() * covariance * scale.asDiagonal();
+  const UpTo6 held = scale.asDiagonal() * observability.directions.rightCols(Pose3::kDof - free);
+  const UpTo6 slack = scale.asDiagonal() * observability.directions.leftCols(free);
+  const UpTo6 H = held.transpose() * sum.H * held / share;
+  UpTo6 scatter = UpTo6::Zero(H.rows(), H.cols());
+  for (const CellSum& cell : sum.cells) {
+    const UpTo6 H_without = H - held.transpose() * cell.H * held;
+    const UpTo6 moved = H_without.partialPivLu().solve(held.transpose() * cell.gradient);
+    scatter += moved * moved.transpose();
+  }
+  return held * scatter * held.transpose() / share +
+         max_distance * max_distance * slack * slack.transpose();
 }
 
 }  // namespace
@@ -121,16 +131,16 @@ Assessment AssessPairs(const Converged& converged, const AlignOptions& options) 
       kCellPerNeighborhood * NeighborhoodRadius(converged, paired, options.normal_neighbors);
   Sandwich sum;
   for (const std::vector<std::size_t>& cell : GroupByCell(converged, paired, std::max(edge, 1e-9))) {
-    Pose3::Tangent gradient = Pose3::Tangent::Zero();
-    for (const std::size_t i : cell) gradient += AddPair(converged, options, i, sum);
-    sum.B += gradient * gradient.transpose();
+    CellSum& cell_sum = sum.cells.emplace_back();
+    for (const std::size_t i : cell) AddPair(converged, options, i, cell_sum, sum);
+    sum.H += cell_sum.H;
     if (sum.pairs >= kPairs) break;
   }
   Assessment assessment;
   assessment.observability = ObserveMotions(sum.motions, sum.with_normal, options.min_observability);
   const double share = static_cast<double>(sum.pairs) / static_cast<double>(paired.size());
   const Pose3::Square about_center =
-      share * Covariance(sum, assessment.observability, converged.length, options.max_distance);
+      Covariance(sum, share, assessment.observability, converged.length, options.max_distance);
   const Pose3::Square shift = Pose3{Eigen::Quaterniond::Identity(), converged.center_data}.Adjoint();
   assessment.covariance = shift * about_center * shift.transpose();
   return assessment;
