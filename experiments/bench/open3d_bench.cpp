@@ -28,7 +28,7 @@ void AlignWhole(benchmark::State& state, bool reduced) {
         registration::RegistrationICP(data, model, kMaxDistance, pair.T_model_data_guess.Matrix(),
                                       registration::TransformationEstimationPointToPoint(false), criteria));
   }
-  state.counters["iterations"] = criteria.max_iteration_;
+  state.counters["icp_iterations"] = criteria.max_iteration_;
 }
 
 void BuildTree(benchmark::State& state) {

@@ -44,7 +44,7 @@ void AlignWhole(benchmark::State& state, bool reduced) {
         aligned, pair.T_model_data_guess.Matrix().template cast<typename Registration::Matrix4::Scalar>());
     benchmark::DoNotOptimize(registration.getFinalTransformation());
   }
-  state.counters["iterations"] = iterations;
+  state.counters["icp_iterations"] = iterations;
 }
 
 void BuildTree(benchmark::State& state) {

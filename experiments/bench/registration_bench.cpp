@@ -53,7 +53,7 @@ void Plain(benchmark::State& state, bool reduced, int threads) {
   for (auto _ : state) {
     const PlainResult result = PlainLoop(model.positions, data.positions, Pair().T_model_data_guess,
                                          kMaxDistance, kConvergenceRms, threads);
-    state.counters["iterations"] = result.iterations;
+    state.counters["icp_iterations"] = result.iterations;
   }
 }
 
@@ -75,7 +75,7 @@ void AlignWhole(benchmark::State& state, bool reduced, slam::Metric metric, int 
   const slam::AlignOptions options = Options(metric, threads, assess);
   for (auto _ : state) {
     const slam::AlignResult result = slam::Align(model, data, Pair().T_model_data_guess, options);
-    state.counters["iterations"] = static_cast<double>(result.iterations.size());
+    state.counters["icp_iterations"] = static_cast<double>(result.iterations.size());
   }
   if (metric != slam::Metric::kPointToPoint) return;
   const PlainResult plain = PlainLoop(model.positions, data.positions, Pair().T_model_data_guess,
@@ -96,7 +96,7 @@ void AlignPrepared(benchmark::State& state, bool reduced, slam::Metric metric, i
   for (auto _ : state) {
     const slam::AlignResult result =
         slam::Align(prepared_model, prepared_data, Pair().T_model_data_guess, options);
-    state.counters["iterations"] = static_cast<double>(result.iterations.size());
+    state.counters["icp_iterations"] = static_cast<double>(result.iterations.size());
   }
 }
 

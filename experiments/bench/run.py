@@ -63,7 +63,7 @@ def print_medians(medians):
     print(f"\n{'median':>12}  benchmark")
     for name, b in medians.items():
         rate = f"  {b['bytes_per_second'] / 1e6:8.0f} MB/s" if "bytes_per_second" in b else ""
-        iterations = f"  {b['iterations_counter']:.0f} iterations" if "iterations_counter" in b else ""
+        iterations = f"  {b['icp_iterations']:.0f} iterations" if "icp_iterations" in b else ""
         print(f"{b['real_time']:9.3f} {b['time_unit']}  {name}{rate}{iterations}")
 
 

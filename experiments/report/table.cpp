@@ -4,22 +4,30 @@
 
 #include <algorithm>
 #include <charconv>
+#include <string_view>
 
 namespace ariadne::experiments {
 namespace {
 
 std::string CsvCell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
 }
 
-std::string CsvLine(const std::vector<std::string>& cells) {
+/// The cells as `write` gives them, with a separator between.
+std::string Joined(const std::vector<std::string>& cells, const char* separator,
+                   std::string (*write)(const std::string&)) {
   std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? "," : "") + CsvCell(cells[i]);
-  return line + "\n";
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) line += separator;
+    line += write(cells[i]);
+  }
+  return line;
 }
+
+std::string CsvLine(const std::vector<std::string>& cells) { return Joined(cells, ",", CsvCell) + "\n"; }
 
 bool LooksNumeric(const std::string& text) {
   double value = 0.0;
@@ -36,16 +44,20 @@ std::size_t DisplayWidth(const std::string& text) {
 std::string LatexCell(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
-    if (c == '%' || c == '_' || c == '&' || c == '#') escaped += '\\';
-    escaped += c;
+    if (std::string_view("%_&#${}").find(c) != std::string_view::npos) escaped += '\\';
+    if (c == '\\') {
+      escaped += "\\textbackslash{}";
+    } else if (c == '~' || c == '^') {
+      escaped += fmt::format("\\{}{{}}", c);
+    } else {
+      escaped += c;
+    }
   }
   return escaped;
 }
 
 std::string LatexLine(const std::vector<std::string>& cells) {
-  std::string line;
-  for (std::size_t i = 0; i < cells.size(); ++i) line += (i > 0 ? " & " : "") + LatexCell(cells[i]);
-  return line + " \\\\\n";
+  return Joined(cells, " & ", LatexCell) + " \\\\\n";
 }
 
 }  // namespace
