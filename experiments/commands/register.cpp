@@ -36,6 +36,7 @@ RegisterOptions ResolveOptions(const Arguments& arguments) {
 
 /// A resumed run has the options that it had before.
 RegisterOptions ResumedOptions(const Arguments& arguments) {
+  if (!HoldsRun(arguments.target.out)) Fail("{}: there is no run to resume", arguments.target.out);
   Arguments same;
   same.config = arguments.target.out + "/config.yaml";
   if (!arguments.folder.empty() || !arguments.config.empty() || !arguments.assignments.empty() ||
@@ -51,15 +52,15 @@ int Register(const Arguments& arguments) {
   }
   const RegisterOptions options =
       arguments.target.resume ? ResumedOptions(arguments) : ResolveOptions(arguments);
+  const ScanSource check(options.input);  // what is wrong is told before anything is made or overwritten
   const RunDirectory run(arguments.target.out, arguments.target.existing());
   ProgressDisplay progress(arguments.target.quiet);
-  const RegisterSummary summary = RunRegister(options, run, progress);
+  const RegisterSummary summary = NotingFailure(run, [&] { return RunRegister(options, run, progress); });
   fmt::print("{}\n{}\n", ToText(summary.table), summary.residuals);
   if (!summary.errors.empty()) fmt::print("{}\n", summary.errors);
   fmt::print("results in {} (README.txt there says what is what)\n", run.path().string());
   if (summary.unregistered == 0) return 0;
-  fmt::print(stderr, "ariadne: {} of {} scans could not be registered; scans.csv says why\n",
-             summary.unregistered, summary.scans);
+  fmt::print(stderr, "ariadne: {}\n", summary.Problem());
   return 1;
 }
 

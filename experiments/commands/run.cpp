@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -18,14 +19,16 @@ struct Arguments {
   RunTarget target;
 };
 
-void RunConfig(const std::string& config, const Arguments& arguments) {
+/// Returns the exit status.
+int RunConfig(const std::string& config, const Arguments& arguments) {
   OptionEntries entries = OptionEntries::FromFile(config);
   for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
   const std::optional<OptionEntry> experiment = entries.Take("experiment");
   if (!experiment)
     Fail("{}: the key experiment is missing; it says what to run (register, table_1, ...)", config);
-  const Study& study = FindStudy(experiment->value);
+  const Study& study = FindStudy(experiment->value, experiment->where);
   study.resolve(entries);  // what is wrong is told before anything is made or overwritten
+  study.check_input(entries);
   const std::filesystem::path directory =
       arguments.target.out.empty()
           ? std::filesystem::path(arguments.results) / study.name / std::filesystem::path(config).stem()
@@ -33,12 +36,16 @@ void RunConfig(const std::string& config, const Arguments& arguments) {
   ProgressDisplay progress(arguments.target.quiet);
   progress.Keep(fmt::format("{}: {} ({})", config, study.summary, study.name));
   const RunDirectory run(directory, arguments.target.existing());
-  fmt::print("{}results in {}\n", study.run(entries, run, progress), directory.string());
+  const StudyResult result = NotingFailure(run, [&] { return study.run(entries, run, progress); });
+  fmt::print("{}results in {}\n", result.text, directory.string());
+  if (result.problem.empty()) return 0;
+  fmt::print(stderr, "ariadne: {}\n", result.problem);
+  return 1;
 }
 
 }  // namespace
 
-void AddRunCommand(CLI::App& app, int&) {
+void AddRunCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("run", "Run experiments from their configs");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("configs", arguments->configs, "YAML files")->required();
@@ -50,12 +57,14 @@ void AddRunCommand(CLI::App& app, int&) {
   AddSetFlag(*command, arguments->assignments);
   AddRunFlags(*command, arguments->target);
   command->footer("Example:\n  ariadne run experiments/configs/table_1.yaml --set repeats=9");
-  command->callback([arguments] {
+  command->callback([arguments, &status] {
     if (!arguments->target.out.empty() && arguments->configs.size() > 1) {
       Fail("--out names one run directory, but there are {} configs; use --results",
            arguments->configs.size());
     }
-    for (const std::string& config : arguments->configs) RunConfig(config, *arguments);
+    for (const std::string& config : arguments->configs) {
+      status = std::max(status, RunConfig(config, *arguments));
+    }
   });
 }
 

@@ -6,6 +6,7 @@
 #include <tbb/version.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <memory>
@@ -60,6 +61,20 @@ Json MakeManifest(const std::vector<std::filesystem::path>& inputs) {
           {"libraries", Libraries()},
           {"processor", ProcessorName()},
           {"inputs", files}};
+}
+
+void WriteManifest(const RunDirectory& run, const std::vector<std::filesystem::path>& inputs,
+                   std::size_t used) {
+  constexpr const char* kManifest = "manifest.json";
+  const Json manifest = MakeManifest(inputs);
+  const bool resumed = used > 0 && std::filesystem::exists(run.path() / kManifest);
+  const Json before = resumed ? Json::parse(run.ReadText(kManifest)).at("inputs") : Json::object();
+  for (std::size_t i = 0; resumed && i < std::min(used, inputs.size()); ++i) {
+    const std::string name = inputs[i].filename().string();
+    if (before.value(name, "") == manifest.at("inputs").at(name)) continue;
+    Fail("{}: has changed since the run used it; start again with --overwrite", inputs[i].string());
+  }
+  run.WriteJson(kManifest, manifest);
 }
 
 }  // namespace ariadne::experiments

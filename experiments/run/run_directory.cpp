@@ -3,6 +3,7 @@
 #include <fstream>
 #include <sstream>
 #include <system_error>
+#include <vector>
 
 #include "slam/base/error.h"
 #include "slam/io/file.h"
@@ -24,6 +25,15 @@ bool IsEmptyOrMissing(const std::filesystem::path& path) {
   return std::filesystem::is_directory(path, error) && std::filesystem::is_empty(path, error);
 }
 
+/// What a killed run was writing (slam/io/file.h).
+void RemovePartialFiles(const std::filesystem::path& path) {
+  std::vector<std::filesystem::path> partial;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(path)) {
+    if (entry.is_regular_file() && entry.path().extension() == ".partial") partial.push_back(entry.path());
+  }
+  for (const std::filesystem::path& file : partial) std::filesystem::remove(file);
+}
+
 }  // namespace
 
 bool HoldsRun(const std::filesystem::path& path) { return std::filesystem::exists(path / kProgress); }
@@ -40,6 +50,11 @@ RunDirectory::RunDirectory(const std::filesystem::path& path, Existing existing)
   }
   if (existing == Existing::kOverwrite) std::filesystem::remove_all(path);
   MakeDirectory(path);
+  if (existing == Existing::kResume) {
+    RemovePartialFiles(path);
+  } else {
+    WriteProgress("running", 0, 0);  // from now on this is a run directory
+  }
 }
 
 std::filesystem::path RunDirectory::File(const std::string& name) const {
@@ -67,8 +82,28 @@ std::string RunDirectory::ReadText(const std::string& name) const {
   return text.str();
 }
 
+void RunDirectory::WriteConfig(const std::string& text) const {
+  constexpr const char* kConfig = "config.yaml";
+  if (std::filesystem::exists(path_ / kConfig) && ReadText(kConfig) != text) {
+    Fail("{}: the run to resume had other options; resume it with its own config.yaml, or --overwrite it",
+         path_.string());
+  }
+  WriteText(kConfig, text);
+}
+
 void RunDirectory::WriteProgress(const std::string& state, std::size_t done, std::size_t total) const {
   WriteJson(kProgress, {{"state", state}, {"done", done}, {"total", total}});
+}
+
+void RunDirectory::NoteFailure(const std::string& sentence) const {
+  try {
+    Json progress = Json::parse(ReadText(kProgress));
+    progress["state"] = "failed";
+    progress["error"] = sentence;
+    WriteJson(kProgress, progress);
+  } catch (const std::exception&) {
+    return;  // a full disk, say: what has failed first is what the user must see
+  }
 }
 
 }  // namespace ariadne::experiments

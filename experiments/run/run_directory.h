@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -17,7 +18,8 @@ class RunDirectory {
   enum class Existing { kRefuse, kOverwrite, kResume };
 
   /// Makes the directory. Only a directory that is empty or holds a run is ever used; what an overwritten
-  /// run has left is removed. Error with a sentence otherwise, or where nothing can be written.
+  /// run has left is removed, and of a resumed one the files that it was writing when it was killed. Error
+  /// with a sentence otherwise, or where nothing can be written.
   RunDirectory(const std::filesystem::path& path, Existing existing);
 
   const std::filesystem::path& path() const { return path_; }
@@ -30,9 +32,15 @@ class RunDirectory {
   void WriteCsv(const std::string& name, const Table& table) const;
   std::string ReadText(const std::string& name) const;
 
+  /// config.yaml. Error where the run that is resumed has had other options.
+  void WriteConfig(const std::string& text) const;
+
   /// progress.json: how far the run has come ("running", "finished" or "failed"), for whoever finds it
   /// later.
   void WriteProgress(const std::string& state, std::size_t done, std::size_t total) const;
+
+  /// progress.json says "failed" and why; how far the run has come stays.
+  void NoteFailure(const std::string& sentence) const;
 
  private:
   std::filesystem::path path_;
@@ -40,5 +48,16 @@ class RunDirectory {
 
 /// True where a directory holds a run: finished, failed or killed.
 bool HoldsRun(const std::filesystem::path& path);
+
+/// Does the work of a run. An exception passes on its way out, and the run says that it has failed.
+template <typename Work>
+auto NotingFailure(const RunDirectory& run, const Work& work) {
+  try {
+    return work();
+  } catch (const std::exception& e) {
+    run.NoteFailure(e.what());
+    throw;
+  }
+}
 
 }  // namespace ariadne::experiments

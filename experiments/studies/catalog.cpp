@@ -18,26 +18,26 @@ Study MakeStudy(const std::string& name, const std::string& summary, Run run) {
   const auto config = [name](const Options& options) {
     return fmt::format("experiment: {}\n{}", name, WriteOptions(options));
   };
-  Study study{name, summary, DescribeOptions<Options>, {}, {}, {}};
+  Study study{name, summary, DescribeOptions<Options>, {}, {}, {}, {}};
   study.defaults = [config] { return config(Options()); };
   study.resolve = [config](const OptionEntries& entries) { return config(ReadOptions<Options>(entries)); };
+  study.check_input = [](const OptionEntries& entries) {
+    const ScanSource source(ReadOptions<Options>(entries).input);
+  };
   study.run = [config, run](const OptionEntries& entries, const RunDirectory& directory,
                             ProgressDisplay& progress) {
     const auto options = ReadOptions<Options>(entries);
-    directory.WriteText("config.yaml", config(options));
-    return run(options, directory, progress);
+    directory.WriteConfig(config(options));
+    return StudyResult{run(options, directory, progress)};
   };
   return study;
 }
 
-std::string RunRegisterStudy(const RegisterOptions& options, const RunDirectory& run,
+StudyResult RunRegisterStudy(const RegisterOptions& options, const RunDirectory& run,
                              ProgressDisplay& progress) {
   const RegisterSummary summary = RunRegister(options, run, progress);
-  if (summary.unregistered > 0) {
-    progress.Keep(fmt::format("{} of {} scans could not be registered; scans.csv says why",
-                              summary.unregistered, summary.scans));
-  }
-  return fmt::format("{}\n{}\n{}\n", ToText(summary.table), summary.residuals, summary.errors);
+  return {fmt::format("{}\n{}\n{}\n", ToText(summary.table), summary.residuals, summary.errors),
+          summary.Problem()};
 }
 
 }  // namespace
@@ -52,14 +52,15 @@ const std::vector<Study>& AllStudies() {
   return kStudies;
 }
 
-const Study& FindStudy(const std::string& name) {
+const Study& FindStudy(const std::string& name, const std::string& where) {
   const std::vector<Study>& studies = AllStudies();
   const auto found =
       std::find_if(studies.begin(), studies.end(), [&](const Study& s) { return s.name == name; });
   if (found != studies.end()) return *found;
   std::vector<std::string> names;
   for (const Study& study : studies) names.push_back(study.name);
-  Fail("there is no experiment '{}'; there are {}", name, fmt::join(names, ", "));
+  Fail("{}{}there is no experiment '{}'; there are {}", where, where.empty() ? "" : ": ", name,
+       fmt::join(names, ", "));
 }
 
 }  // namespace ariadne::experiments

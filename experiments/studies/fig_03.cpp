@@ -41,7 +41,7 @@ std::string Describe(const Stage& stage, const slam::Pose3& T_model_data_final) 
 
 std::string RunFig03(const Fig03Options& options, const RunDirectory& run, ProgressDisplay& progress) {
   const ScanPair pair = ReadScanPair(options);
-  run.WriteJson("manifest.json", MakeManifest(pair.files));
+  WriteManifest(run, pair.files);
   run.WriteProgress("running", 0, 1);
   const slam::AlignResult during = AlignReduced(pair, options, options.iterations);
   const slam::AlignResult final = AlignReduced(pair, options, options.icp.max_iterations);

@@ -12,7 +12,7 @@ namespace ariadne::experiments {
 
 std::string RunFig05(const Fig05Options& options, const RunDirectory& run, ProgressDisplay&) {
   const ScanSource source(options.input);
-  run.WriteJson("manifest.json", MakeManifest(source.Files()));
+  WriteManifest(run, source.Files());
   run.WriteProgress("running", 0, 1);
   const slam::PointCloud all =
       slam::WithinRange(source.Read(0).cloud_laser, options.scan.min_range, options.scan.max_range);

@@ -68,10 +68,10 @@ RegisterSummary RunRegister(const RegisterOptions& options, const RunDirectory& 
                             ProgressDisplay& progress) {
   const ScanSource source(options.input);
   for (const std::string& note : source.notes()) progress.Keep(note);
-  run.WriteProgress("running", 0, source.size());
-  run.WriteText("config.yaml", RegisterConfig(options));
-  run.WriteJson("manifest.json", MakeManifest(source.Files()));
+  run.WriteConfig(RegisterConfig(options));
   State state = Start(options, source, run);
+  WriteManifest(run, source.Files(), state.log.registered.size());
+  run.WriteProgress("running", state.log.registered.size(), source.size());
   while (state.log.registered.size() < source.size()) AddScan(state, source, run, progress);
 
   const Stopwatch writing;

@@ -91,6 +91,11 @@ std::string ErrorSentence(const Json& truth) {
 
 }  // namespace
 
+std::string RegisterSummary::Problem() const {
+  if (unregistered == 0) return "";
+  return fmt::format("{} of {} scans could not be registered; scans.csv says why", unregistered, scans);
+}
+
 RegisterSummary ReportRegistration(const RegisterOptions& options, const ScanSource& source,
                                    const slam::Mapper& mapper, const RegisterLog& log,
                                    const std::vector<double>& match_seconds, const RunDirectory& run) {

@@ -13,6 +13,9 @@ struct RegisterSummary {
   std::size_t unregistered = 0;
   std::string residuals;  // a sentence
   std::string errors;     // a sentence, where the truth is known
+
+  /// A sentence where scans are not registered; else empty.
+  std::string Problem() const;
 };
 
 /// Measures the finished map, writes residuals.csv and metrics.json, and says it in words. match_seconds:

@@ -60,7 +60,7 @@ Json ToJson(const Row& row, std::size_t points, const slam::AlignResult& align) 
 
 std::string RunTable1(const Table1Options& options, const RunDirectory& run, ProgressDisplay& progress) {
   const ScanPair pair = ReadScanPair(options);
-  run.WriteJson("manifest.json", MakeManifest(pair.files));
+  WriteManifest(run, pair.files);
   Json metrics = Json::array(), timing = Json::array();
   std::vector<Measured> measured;
   Table table{

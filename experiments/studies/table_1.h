@@ -19,7 +19,7 @@ struct Table1Options : ScanPairOptions {
   }
 };
 
-/// Fills table.csv, metrics.json and timing.json; returns the table to print.
+/// Fills metrics.json and timing.json; returns the table to print.
 std::string RunTable1(const Table1Options& options, const RunDirectory& run, ProgressDisplay& progress);
 
 }  // namespace ariadne::experiments
