@@ -1,13 +1,38 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "experiments/commands/commands.h"
+#include "slam/base/error.h"
 
 namespace {
+
+/// CLI11 only says that a command is required.
+void RequireKnownCommand(const CLI::App& app, const std::string& name) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) {
+    if (command->get_name() == name) return;
+    names.push_back(command->get_name());
+  }
+  throw CLI::ExtrasError(
+      fmt::format("there is no command '{}'; there are {}", name, fmt::join(names, ", ")),
+      CLI::ExitCodes::ExtrasError);
+}
+
+/// What is printed is a result too: on a full disk it must not end as a success.
+void FlushOutput() {
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    ariadne::Fail("the output could not be written: {}", std::strerror(errno));
+  }
+}
 
 int Main(int argc, char** argv) {
   CLI::App app("ariadne: 3D scans of a stop-and-go robot into one consistent map");
@@ -22,10 +47,12 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddInfoCommand(app);
   ariadne::experiments::AddConfigCommand(app);
   try {
+    if (argc > 1 && argv[1][0] != '-') RequireKnownCommand(app, argv[1]);
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    status = app.exit(e) == 0 ? 0 : 2;
   }
+  FlushOutput();
   return status;
 }
 

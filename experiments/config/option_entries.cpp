@@ -15,12 +15,17 @@ std::string Where(const std::string& name, const YAML::Mark& mark) {
   return fmt::format("{}:{}", name, mark.line + 1);
 }
 
+constexpr std::size_t kMaxDepth = 16;  // an alias within its own anchor would go on for ever
+
 /// Appends the leaves below a node, under their dotted keys.
 void Flatten(const YAML::Node& node, const std::string& prefix, const std::string& name,
              std::vector<OptionEntry>& entries) {
   for (const auto& pair : node) {
     const std::string key = prefix + pair.first.Scalar();
     const std::string where = Where(name, pair.first.Mark());
+    if (static_cast<std::size_t>(std::count(key.begin(), key.end(), '.')) > kMaxDepth) {
+      Fail("{}: {} is nested too deeply; no option is", where, key);
+    }
     const auto same = [&](const OptionEntry& entry) {
       return entry.key == key || entry.key.starts_with(key + ".");
     };
@@ -51,8 +56,13 @@ OptionEntries OptionEntries::FromFile(const std::string& path) {
 OptionEntries OptionEntries::FromText(const std::string& text, const std::string& name) {
   OptionEntries entries;
   try {
-    const YAML::Node root = YAML::Load(text);
-    if (root.IsNull()) return entries;
+    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+    if (documents.size() > 1) {
+      Fail("{}: a config is one YAML document; the file holds {}", Where(name, documents[1].Mark()),
+           documents.size());
+    }
+    if (documents.empty() || documents.front().IsNull()) return entries;
+    const YAML::Node& root = documents.front();
     if (!root.IsMap()) Fail("{}: a config is a map of keys to values", Where(name, root.Mark()));
     Flatten(root, "", name, entries.entries_);
   } catch (const YAML::Exception& e) {

@@ -47,6 +47,21 @@ std::string NearestKey(const std::string& key, const std::vector<std::string>& k
   return nearest == known_keys.end() ? "" : *nearest;
 }
 
+/// The only form of a YAML scalar in which a line break is a line break.
+std::string DoubleQuoted(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      quoted += fmt::format("\\{}", c);
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) {
+      quoted += fmt::format("\\x{:02x}", c);
+    } else {
+      quoted += c;
+    }
+  }
+  return quoted + "\"";
+}
+
 }  // namespace
 
 double ParseNumber(const OptionEntry& entry) {
@@ -86,9 +101,12 @@ void RequireAllTaken(const OptionEntries& entries, const std::vector<std::string
 }
 
 std::string ToYamlScalar(const std::string& text) {
+  const auto is_control = [](unsigned char c) { return c < 0x20 || c == 0x7F; };
+  if (std::any_of(text.begin(), text.end(), is_control)) return DoubleQuoted(text);
   const bool plain = !text.empty() && text.find_first_of(":#'\"{}[],&*!|>%@`\\\n\t") == std::string::npos &&
                      text.front() != ' ' && text.back() != ' ' && text.front() != '-' &&
-                     text.front() != '?' && text != "~" && text != "null";
+                     text.front() != '?' && text != "~" && text != "null" && text != "Null" &&
+                     text != "NULL";
   if (plain) return text;
   std::string quoted = "'";
   for (const char c : text) quoted += c == '\'' ? std::string("''") : std::string(1, c);
