@@ -3,8 +3,10 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "slam/base/error.h"
 
@@ -45,11 +47,13 @@ void Flatten(const YAML::Node& node, const std::string& prefix, const std::strin
 }  // namespace
 
 OptionEntries OptionEntries::FromFile(const std::string& path) {
+  std::error_code ignored;  // what cannot be asked for cannot be opened either
+  if (std::filesystem::is_directory(path, ignored)) Fail("{}: is a folder, not a config", path);
   std::ifstream in(path);
   if (!in) Fail("{}: cannot open the config", path);
   std::stringstream text;
   text << in.rdbuf();
-  if (!in) Fail("{}: cannot read the config (is it a folder?)", path);
+  if (in.bad()) Fail("{}: cannot read the config", path);
   return FromText(text.str(), path);
 }
 
