@@ -1,0 +1,49 @@
+#include "control/odometry.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace ariadne::control {
+
+std::int32_t TicksSince(std::uint32_t before, std::uint32_t now) {
+  return static_cast<std::int32_t>(now - before);  // both conversions are modulo 2^32 in C++20
+}
+
+WheelOdometry::WheelOdometry(const OdometryOptions& options) : options_(options) { CheckOptions(options); }
+
+const slam::Odometry& WheelOdometry::Update(const WheelTicks& ticks) {
+  if (last_) {
+    const double per_tick = 2.0 * std::numbers::pi * options_.wheel_radius / options_.ticks_per_turn;
+    Roll(
+        {per_tick * TicksSince(last_->left, ticks.left), per_tick * TicksSince(last_->right, ticks.right)});
+  }
+  last_ = ticks;
+  return odometry_;
+}
+
+void WheelOdometry::Roll(const WheelPair& ways) {
+  if (ways.left == 0.0 && ways.right == 0.0) return;
+  const slam::Pose2 motion = RollArc(ways, options_.track);
+  const Eigen::Matrix<double, 3, 2> J = RollArcJacobian(ways, options_.track);
+  odometry_.T_odom_base = odometry_.T_odom_base * motion;
+
+  // T Exp(xi) M Exp(J d) = T M Exp(Ad_{M^-1} xi) Exp(J d), to first order xi' = Ad_{M^-1} xi + J d.
+  const Eigen::Matrix3d carry = motion.Inverse().Adjoint();
+  const double variance_per_meter = options_.wheel_noise * options_.wheel_noise;
+  const Eigen::Vector2d variance =
+      variance_per_meter * Eigen::Vector2d(std::abs(ways.left), std::abs(ways.right));
+  slip_covariance_ =
+      carry * slip_covariance_ * carry.transpose() + J * variance.asDiagonal() * J.transpose();
+
+  // A wider track, by the share e, turns by a / (1 + e) only: as if both wheels erred by -e (way - mean).
+  const double half_difference = 0.5 * (ways.right - ways.left);
+  Eigen::Matrix<double, 2, 3> ways_of_errors;
+  ways_of_errors << ways.left, 0.0, half_difference, 0.0, ways.right, -half_difference;
+  effect_ = carry * effect_ + J * ways_of_errors;
+  const double radius_variance = options_.radius_uncertainty * options_.radius_uncertainty;
+  const double track_variance = options_.track_uncertainty * options_.track_uncertainty;
+  const Eigen::Vector3d errors(radius_variance, radius_variance, track_variance);
+  odometry_.covariance = slip_covariance_ + effect_ * errors.asDiagonal() * effect_.transpose();
+}
+
+}  // namespace ariadne::control
