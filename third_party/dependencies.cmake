@@ -6,6 +6,7 @@ if(ARIADNE_CCACHE)
 endif()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Boost 1.74 REQUIRED)  # headers: Boost.Math
 find_package(fmt REQUIRED)
 find_package(nanoflann REQUIRED)
 find_package(TBB REQUIRED)
@@ -15,6 +16,8 @@ find_package(OpenSSL REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(PNG REQUIRED)
 find_package(tsl-robin-map REQUIRED)
+find_package(embree 3.13 REQUIRED)
+find_package(assimp REQUIRED)
 find_package(GTest REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
 

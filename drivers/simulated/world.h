@@ -22,7 +22,8 @@ struct Material {
   double reflectance = 0.6;  // share of the light that a diffuse surface returns, 1 is white paper
 };
 
-/// Where a body is over time: key frames, interpolated; before the first and after the last it stands.
+/// Where a body is over time: between two key frames it goes straight and turns evenly; before the first
+/// and after the last it stands.
 struct Motion {
   std::vector<double> times;  // ascending [s]
   std::vector<slam::Pose3> T_map_body;
@@ -47,5 +48,9 @@ struct World {
 
 /// The pose of a body at a time [s].
 slam::Pose3 PoseAt(const Motion& motion, double time);
+
+/// Throws an Error that begins with the body's name where key frames are missing, not finite or not
+/// ascending.
+void RequireSound(const Motion& motion, const std::string& name);
 
 }  // namespace ariadne::drivers
