@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "drivers/simulated/rigid_scene.h"
+#include "drivers/simulated/solids.h"
 #include "slam/base/error.h"
 #include "slam/geometry/box3.h"
 
@@ -44,11 +45,6 @@ void RequireSound(const Body& body) {
          body.mesh_body.vertices.size());
   }
   RequireSound(body.motion, body.name);
-}
-
-TriangleMesh Moved(TriangleMesh mesh, const slam::Pose3& T_map_body) {
-  for (Eigen::Vector3d& v : mesh.vertices) v = T_map_body * v;
-  return mesh;
 }
 
 }  // namespace
