@@ -1,6 +1,7 @@
 #include "control/differential_drive.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace ariadne::control {
 namespace {
@@ -36,6 +37,10 @@ Eigen::Matrix<double, 3, 2> RightJacobian(const Arc& arc) {
 }
 
 }  // namespace
+
+double DriveGeometry::MetersPerTick() const {
+  return 2.0 * std::numbers::pi * wheel_radius / ticks_per_turn;
+}
 
 WheelPair WheelsOf(double forward, double turning, double track) {
   return {forward - 0.5 * track * turning, forward + 0.5 * track * turning};

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "slam/base/options.h"
 #include "slam/geometry/pose2.h"
 
 namespace ariadne::control {
@@ -10,6 +11,25 @@ namespace ariadne::control {
 struct WheelPair {
   double left = 0.0;
   double right = 0.0;
+};
+
+/// A base on two driven wheels beside each other and passive castors (Sec. 2.1).
+struct DriveGeometry {
+  double wheel_radius = 0.1;
+  double track = 0.5;
+  int ticks_per_turn = 4000;
+
+  double MetersPerTick() const;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("wheel_radius", self.wheel_radius, Unit("m"), Range{0.005, 1.0},
+          "open in the paper (2.1); wheels of 20 cm fit under a platform of 80 x 60 cm");
+    visit("track", self.track, Unit("m"), Range{0.05, 3.0},
+          "between the wheels' contact points; open in the paper, 50 cm of the 60 cm width");
+    visit("ticks_per_turn", self.ticks_per_turn, Unit(""), Range{1, 1e7},
+          "of a wheel; open in the paper, 1000 lines in quadrature are usual: 0.16 mm");
+  }
 };
 
 /// The rim speeds of a base that drives at `forward` [m/s] and turns counterclockwise at `turning` [rad/s]:

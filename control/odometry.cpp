@@ -1,7 +1,6 @@
 #include "control/odometry.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace ariadne::control {
 
@@ -9,11 +8,15 @@ std::int32_t TicksSince(std::uint32_t before, std::uint32_t now) {
   return static_cast<std::int32_t>(now - before);  // both conversions are modulo 2^32 in C++20
 }
 
-WheelOdometry::WheelOdometry(const OdometryOptions& options) : options_(options) { CheckOptions(options); }
+WheelOdometry::WheelOdometry(const DriveGeometry& geometry, const OdometryOptions& options)
+    : geometry_(geometry), options_(options) {
+  CheckOptions(geometry, "drive.");
+  CheckOptions(options, "odometry.");
+}
 
 const slam::Odometry& WheelOdometry::Update(const WheelTicks& ticks) {
   if (last_) {
-    const double per_tick = 2.0 * std::numbers::pi * options_.wheel_radius / options_.ticks_per_turn;
+    const double per_tick = geometry_.MetersPerTick();
     Roll(
         {per_tick * TicksSince(last_->left, ticks.left), per_tick * TicksSince(last_->right, ticks.right)});
   }
@@ -23,8 +26,8 @@ const slam::Odometry& WheelOdometry::Update(const WheelTicks& ticks) {
 
 void WheelOdometry::Roll(const WheelPair& ways) {
   if (ways.left == 0.0 && ways.right == 0.0) return;
-  const slam::Pose2 motion = RollArc(ways, options_.track);
-  const Eigen::Matrix<double, 3, 2> J = RollArcJacobian(ways, options_.track);
+  const slam::Pose2 motion = RollArc(ways, geometry_.track);
+  const Eigen::Matrix<double, 3, 2> J = RollArcJacobian(ways, geometry_.track);
   odometry_.T_odom_base = odometry_.T_odom_base * motion;
 
   // T Exp(xi) M Exp(J d) = T M Exp(Ad_{M^-1} xi) Exp(J d), to first order xi' = Ad_{M^-1} xi + J d.

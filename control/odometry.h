@@ -19,23 +19,14 @@ struct WheelTicks {
 /// How many ticks a counter made, forward or backward, provided that it made less than 2^31.
 std::int32_t TicksSince(std::uint32_t before, std::uint32_t now);
 
-/// What the odometry believes of its base, and how far it trusts it.
+/// How far the odometry trusts its wheels.
 struct OdometryOptions {
-  double wheel_radius = 0.1;
-  double track = 0.5;
-  int ticks_per_turn = 4000;
   double wheel_noise = 0.003;
   double radius_uncertainty = 0.001;
   double track_uncertainty = 0.005;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
-    visit("wheel_radius", self.wheel_radius, Unit("m"), Range{0.005, 1.0},
-          "open in the paper (2.1); wheels of 20 cm fit under a platform of 80 x 60 cm");
-    visit("track", self.track, Unit("m"), Range{0.05, 3.0},
-          "between the wheels' contact points; open in the paper, 50 cm of the 60 cm width");
-    visit("ticks_per_turn", self.ticks_per_turn, Unit(""), Range{1, 1e7},
-          "of a wheel; open in the paper, 1000 lines in quadrature are usual: 0.16 mm");
     visit("wheel_noise", self.wheel_noise, Unit("m per sqrt(m)"), Range{0.0, 1.0},
           "sigma of a wheel's way after 1 m, its variance grows with the way: slip, uneven floor");
     visit("radius_uncertainty", self.radius_uncertainty, Unit(""), Range{0.0, 0.2},
@@ -50,7 +41,7 @@ struct OdometryOptions {
 /// of the ticks does not add up and is neglected.
 class WheelOdometry {
  public:
-  explicit WheelOdometry(const OdometryOptions& options);
+  WheelOdometry(const DriveGeometry& geometry, const OdometryOptions& options);
 
   /// The counters now; the first call says where counting starts. Call it often: between two calls the
   /// base is taken to move on one arc.
@@ -62,6 +53,7 @@ class WheelOdometry {
  private:
   void Roll(const WheelPair& ways);
 
+  DriveGeometry geometry_;
   OdometryOptions options_;
   std::optional<WheelTicks> last_;
   slam::Odometry odometry_;

@@ -17,25 +17,26 @@ namespace {
 
 using slam::Pose2;
 
+const double kTrack = DriveGeometry().track;
+
 /// A tick is a millimetre.
-OdometryOptions Millimeters() {
-  OdometryOptions options;
-  options.ticks_per_turn = 100;
-  options.wheel_radius = 0.1 / (2.0 * std::numbers::pi);
-  return options;
+DriveGeometry Millimeters() {
+  DriveGeometry geometry;
+  geometry.ticks_per_turn = 100;
+  geometry.wheel_radius = 0.1 / (2.0 * std::numbers::pi);
+  return geometry;
 }
 
-WheelTicks TicksOf(const OdometryOptions& options, double left, double right) {
-  const double per_meter = options.ticks_per_turn / (2.0 * std::numbers::pi * options.wheel_radius);
-  return {static_cast<std::uint32_t>(std::llround(left * per_meter)),
-          static_cast<std::uint32_t>(std::llround(right * per_meter))};
+WheelTicks TicksOf(const DriveGeometry& geometry, double left, double right) {
+  return {static_cast<std::uint32_t>(std::llround(left / geometry.MetersPerTick())),
+          static_cast<std::uint32_t>(std::llround(right / geometry.MetersPerTick()))};
 }
 
 /// Steps of the wheels on an eight of two circles with a straight line between them.
 std::vector<WheelPair> Tour() {
   std::vector<WheelPair> steps;
   const auto drive = [&](int count, double forward, double turning) {
-    for (int i = 0; i < count; ++i) steps.push_back(WheelsOf(forward, turning, OdometryOptions().track));
+    for (int i = 0; i < count; ++i) steps.push_back(WheelsOf(forward, turning, DriveGeometry().track));
   };
   drive(100, 0.03, 0.04);
   drive(60, 0.05, 0.0);
@@ -47,17 +48,18 @@ std::vector<WheelPair> Tour() {
 
 /// One seed: the wheels roll as the encoders say, times their constant errors, plus slip.
 double NormalizedErrorOfATour(const OdometryOptions& options, std::uint64_t seed) {
+  const DriveGeometry geometry;
   RandomStream errors = NamedStream(seed, "test/errors"), slip = NamedStream(seed, "test/slip");
   const double left_scale = DrawNormal(errors, 1.0, options.radius_uncertainty);
   const double right_scale = DrawNormal(errors, 1.0, options.radius_uncertainty);
-  const double true_track = options.track * DrawNormal(errors, 1.0, options.track_uncertainty);
-  WheelOdometry odometry(options);
+  const double true_track = geometry.track * DrawNormal(errors, 1.0, options.track_uncertainty);
+  WheelOdometry odometry(geometry, options);
   odometry.Update({});
   Pose2 truth;
   WheelPair encoded;
   for (const WheelPair& step : Tour()) {
     encoded = {encoded.left + step.left, encoded.right + step.right};
-    odometry.Update(TicksOf(options, encoded.left, encoded.right));
+    odometry.Update(TicksOf(geometry, encoded.left, encoded.right));
     const double left_slip = DrawNormal(slip, 0.0, options.wheel_noise * std::sqrt(std::abs(step.left)));
     const double right_slip = DrawNormal(slip, 0.0, options.wheel_noise * std::sqrt(std::abs(step.right)));
     truth = truth * RollArc({step.left * left_scale + left_slip, step.right * right_scale + right_slip},
@@ -86,7 +88,7 @@ TEST(TicksSince, CountsAcrossTheWrap) {
 }
 
 TEST(WheelOdometry, StandsAtTheOriginWhateverTheCountersStartFrom) {
-  WheelOdometry odometry(Millimeters());
+  WheelOdometry odometry(Millimeters(), {});
   odometry.Update({123456789, 4000000000});
   EXPECT_EQ(odometry.odometry().T_odom_base.translation.norm(), 0.0);
   EXPECT_EQ(odometry.odometry().covariance.norm(), 0.0);
@@ -97,7 +99,7 @@ TEST(WheelOdometry, StandsAtTheOriginWhateverTheCountersStartFrom) {
 
 TEST(WheelOdometry, DoesNotNoticeTheWrap) {
   for (const std::uint32_t start : {0xffffff00u, 0x7fffff00u}) {
-    WheelOdometry wrapped(Millimeters()), plain(Millimeters());
+    WheelOdometry wrapped(Millimeters(), {}), plain(Millimeters(), {});
     wrapped.Update({start, start});
     plain.Update({0, 0});
     for (std::uint32_t i = 1; i <= 100; ++i) {
@@ -111,7 +113,7 @@ TEST(WheelOdometry, DoesNotNoticeTheWrap) {
 }
 
 TEST(WheelOdometry, ReturnsToTheStartOfACircle) {
-  WheelOdometry odometry(Millimeters());
+  WheelOdometry odometry(Millimeters(), {});
   odometry.Update({});
   const WheelPair step = WheelsOf(0.01, 0.01, Millimeters().track);  // radius 1 m
   for (int i = 1; i <= 628; ++i) odometry.Update(TicksOf(Millimeters(), i * step.left, i * step.right));
@@ -119,14 +121,14 @@ TEST(WheelOdometry, ReturnsToTheStartOfACircle) {
 }
 
 TEST(WheelOdometry, GrowsTheSlipOfAStraightLineAsInTheTextbook) {
-  OdometryOptions options = Millimeters();
+  OdometryOptions options;
   options.radius_uncertainty = options.track_uncertainty = 0.0;
-  WheelOdometry odometry(options);
+  WheelOdometry odometry(Millimeters(), options);
   odometry.Update({});
   constexpr int kWay = 4000;  // [mm]
   for (std::uint32_t i = 1; i <= kWay; ++i) odometry.Update({i, i});
   const double way = 0.001 * kWay, q = options.wheel_noise * options.wheel_noise;
-  const double heading = 2.0 * q * way / (options.track * options.track);
+  const double heading = 2.0 * q * way / (kTrack * kTrack);
   const Eigen::Matrix3d& P = odometry.odometry().covariance;
   EXPECT_NEAR(P(0, 0), 0.5 * q * way, 1e-12);
   EXPECT_NEAR(P(2, 2), heading, 1e-12);
@@ -135,17 +137,17 @@ TEST(WheelOdometry, GrowsTheSlipOfAStraightLineAsInTheTextbook) {
 }
 
 TEST(WheelOdometry, GrowsTheEffectOfTheRadiiWithTheWay) {
-  OdometryOptions options = Millimeters();
+  OdometryOptions options;
   options.wheel_noise = 0.0;
-  WheelOdometry odometry(options);
+  WheelOdometry odometry(Millimeters(), options);
   odometry.Update({});
   for (std::uint32_t i = 1; i <= 2000; ++i) odometry.Update({i, i});
   const double heading_sigma = std::sqrt(odometry.odometry().covariance(2, 2));
-  EXPECT_NEAR(heading_sigma, std::sqrt(2.0) * options.radius_uncertainty * 2.0 / options.track, 1e-9);
+  EXPECT_NEAR(heading_sigma, std::sqrt(2.0) * options.radius_uncertainty * 2.0 / kTrack, 1e-9);
 }
 
 TEST(WheelOdometry, GivesTheSameCovarianceForFineAndCoarseSteps) {
-  WheelOdometry fine(Millimeters()), coarse(Millimeters());
+  WheelOdometry fine(Millimeters(), {}), coarse(Millimeters(), {});
   fine.Update({});
   coarse.Update({});
   for (std::uint32_t i = 1; i <= 1000; ++i) {
@@ -171,9 +173,14 @@ TEST(WheelOdometry, IsHonestAboutRadiiAndTrack) {
 TEST(WheelOdometry, IsHonestAboutAllTogether) { ExpectHonestCovariance({}); }
 
 TEST(WheelOdometry, RefusesOptionsOutOfRange) {
+  DriveGeometry geometry;
+  geometry.track = 0.0;
+  EXPECT_THAT(ErrorOf([&] { WheelOdometry odometry(geometry, {}); }),
+              testing::HasSubstr("drive.track is 0 m"));
   OdometryOptions options;
-  options.track = 0.0;
-  EXPECT_THAT(ErrorOf([&] { WheelOdometry odometry(options); }), testing::HasSubstr("track is 0 m"));
+  options.wheel_noise = -1.0;
+  EXPECT_THAT(ErrorOf([&] { WheelOdometry odometry({}, options); }),
+              testing::HasSubstr("odometry.wheel_noise"));
 }
 
 }  // namespace
