@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "experiments/metrics/pose_error.h"
 #include "experiments/metrics/residuals.h"
+#include "experiments/metrics/trajectory_error.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::experiments {
@@ -67,11 +67,11 @@ Json TruthMetrics(const ScanSource& source, const RegisterLog& log) {
     odometry.push_back(source.T_odom_laser(i));
   }
   const auto errors = [&](const std::vector<slam::Pose3>& poses) {
-    const PoseErrors e = MeasurePoseErrors(poses, truth);
-    return Json{{"translation_rms_m", e.translation_rms},
-                {"translation_max_m", e.translation_max},
-                {"rotation_rms_rad", e.rotation_rms},
-                {"rotation_max_rad", e.rotation_max}};
+    const TrajectoryError e = ErrorFromMaster(poses, truth);
+    return Json{{"translation_rms_m", e.translation.rms},
+                {"translation_max_m", e.translation.max},
+                {"rotation_rms_rad", e.rotation.rms},
+                {"rotation_max_rad", e.rotation.max}};
   };
   return {{"odometry", errors(odometry)}, {"map", errors(log.T_map_laser)}};
 }
