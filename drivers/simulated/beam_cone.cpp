@@ -30,28 +30,27 @@ Echo MeanOf(std::span<const RayReturn> returns) {
 
 }  // namespace
 
-std::size_t RaysPerBeam(const RangeFinderOptions& options) {
-  return options.mixed_pixels ? 1 + static_cast<std::size_t>(options.rim_rays) : 1;
-}
-
-std::vector<double> RayWeights(const RangeFinderOptions& options) {
-  if (!options.mixed_pixels) return {1.0};
-  std::vector<double> weights(RaysPerBeam(options), (1.0 - kCentreWeight) / options.rim_rays);
-  weights.front() = kCentreWeight;
-  return weights;
-}
-
-void AppendBeamRays(const Ray& beam, double turn, const RangeFinderOptions& options,
-                    std::vector<Ray>& rays) {
-  rays.push_back(beam);
+BeamCone::BeamCone(const RangeFinderOptions& options) : weights_{1.0} {
   if (!options.mixed_pixels) return;
   const double radius = 0.5 * options.divergence * std::sqrt(2.0 / 3.0);
+  weights_ = {kCentreWeight};
+  for (int i = 0; i < options.rim_rays; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / options.rim_rays;
+    rim_.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+    weights_.push_back((1.0 - kCentreWeight) / options.rim_rays);
+  }
+}
+
+void BeamCone::AppendRays(const Ray& beam, double turn, std::vector<Ray>& rays) const {
+  rays.push_back(beam);
+  if (rim_.empty()) return;
   const Eigen::Vector3d across = beam.direction_map.unitOrthogonal();
   const Eigen::Vector3d other = beam.direction_map.cross(across);
-  for (int i = 0; i < options.rim_rays; ++i) {
-    const double angle = turn + 2.0 * std::numbers::pi * i / options.rim_rays;
-    const Eigen::Vector3d offset = radius * (std::cos(angle) * across + std::sin(angle) * other);
-    rays.push_back({beam.origin_map, (beam.direction_map + offset).normalized(), beam.time});
+  const Eigen::Vector3d u = std::cos(turn) * across + std::sin(turn) * other;
+  const Eigen::Vector3d v = beam.direction_map.cross(u);
+  for (const Eigen::Vector2d& offset : rim_) {
+    const Eigen::Vector3d direction = beam.direction_map + offset.x() * u + offset.y() * v;
+    rays.push_back({beam.origin_map, direction.normalized(), beam.time});
   }
 }
 

@@ -20,20 +20,20 @@ double ReflectanceShare(const Echo& echo, ReflectanceLaw law) {
 class EchoFinder {
  public:
   EchoFinder(const RayScene& scene, const RangeFinderOptions& options)
-      : scene_(scene), options_(options), weights_(RayWeights(options)) {}
+      : scene_(scene), options_(options), cone_(options) {}
 
   std::vector<std::optional<Echo>> Find(std::span<const Ray> beams, RandomStream turns) {
     std::vector<Ray> rays;
-    rays.reserve(beams.size() * weights_.size());
+    rays.reserve(beams.size() * cone_.weights().size());
     for (const Ray& beam : beams) {
       const double turn = options_.mixed_pixels ? DrawUniform(turns, 0.0, 2.0 * std::numbers::pi) : 0.0;
-      AppendBeamRays(beam, turn, options_, rays);
+      cone_.AppendRays(beam, turn, rays);
     }
     std::vector<Hit> hits(rays.size());
     scene_.Cast(rays, hits);
     std::vector<std::optional<Echo>> echoes;
     echoes.reserve(beams.size());
-    for (std::size_t first = 0; first < rays.size(); first += weights_.size()) {
+    for (std::size_t first = 0; first < rays.size(); first += cone_.weights().size()) {
       echoes.push_back(EchoOf(rays, hits, first));
     }
     return echoes;
@@ -42,18 +42,18 @@ class EchoFinder {
  private:
   std::optional<Echo> EchoOf(std::span<const Ray> rays, std::span<const Hit> hits, std::size_t first) {
     returns_.clear();
-    for (std::size_t i = 0; i < weights_.size(); ++i) {
+    for (std::size_t i = 0; i < cone_.weights().size(); ++i) {
       const Hit& hit = hits[first + i];
       if (!hit.hit()) continue;
       const double cosine = std::abs(hit.normal_map.dot(rays[first + i].direction_map));
-      returns_.push_back({hit.distance, weights_[i], hit.reflectance * cosine});
+      returns_.push_back({hit.distance, cone_.weights()[i], hit.reflectance * cosine});
     }
     return ChooseEcho(returns_, options_);
   }
 
   const RayScene& scene_;
   const RangeFinderOptions& options_;
-  std::vector<double> weights_;
+  BeamCone cone_;
   std::vector<RayReturn> returns_;
 };
 
