@@ -41,6 +41,14 @@ struct LocalHit {
   std::uint32_t triangle = kNothing;
 };
 
+/// The point of the surfaces that is nearest to another; mesh = LocalHit::kNothing: none is near enough.
+struct LocalClosest {
+  double distance = std::numeric_limits<double>::infinity();  // [m]
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  std::uint32_t mesh = LocalHit::kNothing;
+  std::uint32_t triangle = LocalHit::kNothing;
+};
+
 /// Meshes that keep their places to each other, in one Embree scene whose single-precision coordinates
 /// count from the middle of the meshes: how far that is from the frame's origin does not matter.
 class RigidScene {
@@ -53,6 +61,9 @@ class RigidScene {
 
   /// At most kPacket rays at once.
   void CastPacket(std::span<const LocalRay> rays, std::span<LocalHit> hits) const;
+
+  /// The point of the surfaces nearest to p, if it is nearer than max_distance [m].
+  LocalClosest Closest(const Eigen::Vector3d& p, double max_distance) const;
 
   const Eigen::Vector3d& center() const { return center_; }
   /// Of the sphere around the center that contains all. [m]

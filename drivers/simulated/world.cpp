@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/simulated/solids.h"
 #include "slam/base/error.h"
 
 namespace ariadne::drivers {
@@ -33,6 +34,11 @@ slam::Pose3 PoseAt(const Motion& motion, double time) {
   const double share = (time - motion.times[i - 1]) / (motion.times[i] - motion.times[i - 1]);
   return {from.rotation.slerp(share, to.rotation),
           from.translation + share * (to.translation - from.translation)};
+}
+
+TriangleMesh MeshAt(const Body& body, double time) {
+  if (body.motion.times.empty()) return body.mesh_body;  // its frame is the map's, to the last digit
+  return Moved(body.mesh_body, PoseAt(body.motion, time));
 }
 
 }  // namespace ariadne::drivers

@@ -49,6 +49,9 @@ struct World {
 /// The pose of a body at a time [s].
 slam::Pose3 PoseAt(const Motion& motion, double time);
 
+/// The mesh of a body in map coordinates at a time [s].
+TriangleMesh MeshAt(const Body& body, double time);
+
 /// Throws an Error that begins with the body's name where key frames are missing, not finite or not
 /// ascending.
 void RequireSound(const Motion& motion, const std::string& name);
