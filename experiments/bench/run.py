@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io"]
+PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated"]
 REPETITIONS = 5
 
 # (what, numerator, denominator, goal)
@@ -42,6 +42,14 @@ RATIOS = [
      "pairs/brute_force/reduced", "pairs/kd_tree/reduced", None),
     ("PCL voxel grid / voxel_mean", "reduce/voxel_mean_pcl/all", "reduce/voxel_mean/all", None),
     ("Open3D voxel grid / voxel_mean", "reduce/voxel_mean_open3d/all", "reduce/voxel_mean/all", None),
+]
+
+# (what, benchmark, goal); how many in a second
+RATES = [
+    ("simulated AIS scans of 181 x 256 points with all noise, 1 thread", "simulated/scan/threads:1", None),
+    ("simulated AIS scans of 181 x 256 points with all noise, 2 threads", "simulated/scan/threads:2", 10.0),
+    ("plain ray casts, 1 thread", "simulated/rays/threads:1", None),
+    ("plain ray casts, 2 threads", "simulated/rays/threads:2", None),
 ]
 
 
@@ -81,11 +89,25 @@ def print_ratios(medians):
     return missed
 
 
+def print_rates(medians):
+    """Returns how many goals are missed."""
+    print(f"\n{'1/s':>12}  {'goal':>6}  what")
+    missed = 0
+    for what, name, goal in RATES:
+        if name not in medians:
+            continue
+        rate = medians[name]["items_per_second"]
+        mark = "" if goal is None or rate >= goal else "  MISSED"
+        missed += bool(mark)
+        print(f"{rate:12.1f}  {'' if goal is None else f'>= {goal:g}':>6}  {what}{mark}")
+    return missed
+
+
 def main():
     folder = sys.argv[1]
     name_filter = (sys.argv[2] if len(sys.argv) > 2 else "") or "."
     print(f"load before: {os.getloadavg()[0]:.2f}")
-    medians, data = {}, "?"
+    medians, data, world = {}, "?", "?"
     for name in PROGRAMS:
         program = os.path.join(folder, name)
         if not os.path.exists(program):
@@ -95,9 +117,11 @@ def main():
         found, context = measure(program, name_filter)
         medians.update(found)
         data = context.get("data", data)
-    print(f"data: {data}; medians of {REPETITIONS} repetitions; load after: {os.getloadavg()[0]:.2f}")
+        world = context.get("world", world)
+    print(f"data: {data}; world: {world}; medians of {REPETITIONS} repetitions; load after: {os.getloadavg()[0]:.2f}")
     print_medians(medians)
     print_ratios(medians)
+    print_rates(medians)
 
 
 if __name__ == "__main__":
