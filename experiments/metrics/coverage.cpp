@@ -48,8 +48,8 @@ class Visibility {
     std::vector<std::pair<double, std::uint32_t>> near;
     for (std::uint32_t i = 0; i < viewpoints_.size(); ++i) {
       const Vector3d d = p - viewpoints_[i];
-      const double elevation = std::atan2(d.z(), d.head<2>().norm());
       if (d.squaredNorm() > o_.max_range * o_.max_range || d.isZero()) continue;
+      const double elevation = std::atan2(d.z(), d.head<2>().norm());
       if (elevation >= o_.lowest_elevation && elevation <= o_.highest_elevation)
         near.emplace_back(d.squaredNorm(), i);
     }

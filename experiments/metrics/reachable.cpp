@@ -46,7 +46,7 @@ class Prober {
   bool HasFloor(const Vector3d& place) const {
     const double drop =
         scene_.Cast({place + o_.highest * Vector3d::UnitZ(), -Vector3d::UnitZ(), 0.0}).distance;
-    return std::abs(drop - o_.highest) < o_.floor_tolerance;
+    return std::abs(drop - o_.highest) <= o_.floor_tolerance;
   }
 
   bool IsClear(const Vector3d& place) const {

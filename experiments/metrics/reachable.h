@@ -15,7 +15,8 @@ struct ReachableOptions {
   double highest = 0.85;         // the robot's, with the scanner
   int heights = 5;               // in which horizontal rays look for them
   int directions = 24;           // of the rays
-  double floor_tolerance = 0.1;  // the floor must be this near z = 0: no stairs, no holes [m]
+  double floor_tolerance = 0.1;  // the floor must be this near z = 0: no stairs, no holes; infinite: for
+                                 // meshes that come without a floor [m]
   std::size_t max_places = 1'000'000;  // a world without walls is an error
 };
 

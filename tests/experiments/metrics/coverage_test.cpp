@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "experiments/metrics/reachable.h"
@@ -66,6 +67,19 @@ TEST(ReachablePlaces, GoNeitherUnderATableNorOntoAStep) {
   drivers::World step = TwoRooms(1.0);
   step.bodies.push_back(Box("step", {0, 3.0, 0}, {4.0, 6.0, 0.2}));
   EXPECT_LT(FarthestY(step), 3.0);
+}
+
+TEST(ReachablePlaces, NeedAFloorUnlessItIsNotAskedFor) {
+  drivers::World walls{"walls", {}, {0.0, {1.0, 1.0}}};
+  walls.bodies.push_back(Box("west", {-0.1, 0, 0}, {0, 6, 2.5}));
+  walls.bodies.push_back(Box("east", {4, 0, 0}, {4.1, 6, 2.5}));
+  walls.bodies.push_back(Box("south", {0, -0.1, 0}, {4, 0, 2.5}));
+  walls.bodies.push_back(Box("north", {0, 6, 0}, {4, 6.1, 2.5}));
+  const drivers::RayScene scene(walls);
+  EXPECT_EQ(ReachablePlaces(scene, {}).size(), 1u) << "the start alone";
+  ReachableOptions options;
+  options.floor_tolerance = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(ReachablePlaces(scene, options).size(), 13u * 21u);
 }
 
 TEST(ReachablePlaces, EndSomewhere) {
