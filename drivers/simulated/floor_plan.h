@@ -38,4 +38,9 @@ std::vector<PlanWall> MergeWalls(const std::vector<PlanWall>& walls);
 std::vector<PlanWall> FindDoorways(const std::vector<PlanWall>& walls,
                                    const std::vector<Eigen::Vector2d>& doors);
 
+bool IsInside(const std::vector<Eigen::Vector2d>& outline, const Eigen::Vector2d& p);
+
+/// Whether one side of a doorway is in none of the spaces; false where a plan has no spaces.
+bool LeadsOutside(const PlanWall& doorway, const std::vector<PlanSpace>& spaces);
+
 }  // namespace ariadne::drivers

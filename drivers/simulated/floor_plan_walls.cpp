@@ -68,6 +68,18 @@ std::optional<PlanWall> DoorwayAt(const Vector2d& end, const Vector2d& onward,
 
 }  // namespace
 
+bool IsInside(const std::vector<Vector2d>& outline, const Vector2d& p) {
+  bool inside = false;
+  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+    const Vector2d &a = outline[i], &b = outline[j];
+    if ((a.y() > p.y()) != (b.y() > p.y()) &&
+        p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
+      inside = !inside;
+    }
+  }
+  return inside;
+}
+
 std::vector<PlanWall> MergeWalls(const std::vector<PlanWall>& walls) {
   std::vector<PlanWall> merged;
   for (PlanWall wall : walls) {
@@ -96,6 +108,16 @@ std::vector<PlanWall> FindDoorways(const std::vector<PlanWall>& walls, const std
     }
   }
   return MergeWalls(doorways);  // each is found from both of its sides
+}
+
+bool LeadsOutside(const PlanWall& doorway, const std::vector<PlanSpace>& spaces) {
+  constexpr double kStep = 0.5;  // through the thickest wall [m]
+  const Vector2d u = doorway.direction(), middle = 0.5 * (doorway.from + doorway.to);
+  const auto in_no_space = [&](const Vector2d& p) {
+    return std::ranges::none_of(spaces, [&](const PlanSpace& space) { return IsInside(space.outline, p); });
+  };
+  const Vector2d step = kStep * Vector2d(-u.y(), u.x());
+  return !spaces.empty() && (in_no_space(middle + step) || in_no_space(middle - step));
 }
 
 }  // namespace ariadne::drivers

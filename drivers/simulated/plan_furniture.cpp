@@ -52,18 +52,6 @@ Piece DrawPiece(RandomStream& stream) {
   return {"plant", Make(plant), {plant.spread, plant.spread}, false};
 }
 
-bool IsInside(const std::vector<Vector2d>& outline, const Vector2d& p) {
-  bool inside = false;
-  for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-    const Vector2d &a = outline[i], &b = outline[j];
-    if ((a.y() > p.y()) != (b.y() > p.y()) &&
-        p.x() < (b.x() - a.x()) * (p.y() - a.y()) / (b.y() - a.y()) + a.x()) {
-      inside = !inside;
-    }
-  }
-  return inside;
-}
-
 double DistanceTo(const PlanWall& wall, const Vector2d& p) {
   const double along = std::clamp(wall.direction().dot(p - wall.from), 0.0, wall.length());
   return (p - wall.from - along * wall.direction()).norm();

@@ -52,27 +52,39 @@ Wall WallOf(const PlanWall& line, const PlanOptions& options) {
   return wall;
 }
 
-/// What closes a doorway but for the door: lintel, frame, and wall beside it where it is to be narrower.
-Wall DoorwayOf(const PlanWall& line, const PlanOptions& options) {
+/// Lintel and frame of a doorway, wall beside it where it is to be narrower, and a leaf where it is closed.
+Wall DoorwayOf(const PlanWall& line, bool closed, const PlanOptions& options) {
   Wall wall = WallOf(line, options);
   Opening opening;
   opening.at = 0.5 * wall.length;
   opening.width = options.door_width > 0.0 ? std::min(options.door_width, wall.length) : wall.length;
   opening.top = std::min(options.door_height, options.height);
   opening.frame = opening.top < options.height ? 0.015 : 0.0;
+  if (closed) opening.hinge = Hinge::kStart;
   wall.openings = {opening};
   return wall;
 }
 
-void AddFloorAndCeiling(const std::vector<PlanWall>& walls, double height, World& world) {
-  slam::Box3 box;
-  for (const PlanWall& wall : walls) {
-    for (const Vector2d& end : {wall.from, wall.to}) box.extend(Eigen::Vector3d(end.x(), end.y(), 0.0));
+/// Floor, ceiling, and a yard wall a metre around the building: some plans are open somewhere, and a robot
+/// that finds out must not leave the world.
+void AddShell(const std::vector<PlanWall>& walls, double height, World& world) {
+  Eigen::AlignedBox2d box;
+  for (const PlanWall& wall : walls) box.extend(wall.from).extend(wall.to);
+  const Vector2d low = box.min() - Vector2d(1.0, 1.0), high = box.max() + Vector2d(1.0, 1.0);
+  const auto slab = [&](double bottom, double top) {
+    return BoxBetween(low.x(), low.y(), bottom, high.x(), high.y(), top);
+  };
+  Add("floor", {{"linoleum", slab(-0.2, 0.0)}}, {}, world);
+  Add("ceiling", {{"plaster", slab(height, height + 0.2)}}, {}, world);
+  constexpr double kYardWall = 0.2;
+  const std::vector<Vector2d> corners{low, {high.x(), low.y()}, high, {low.x(), high.y()}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const slam::Box3 side = slam::BoxAround({{corners[i].x(), corners[i].y(), 0.0},
+                                             {corners[(i + 1) % 4].x(), corners[(i + 1) % 4].y(), height}});
+    const Eigen::Vector3d half(0.5 * kYardWall, 0.5 * kYardWall, 0.0);
+    Add(fmt::format("yard wall {}", i), {{"brick", MakeBox({side.min() - half, side.max() + half})}}, {},
+        world);
   }
-  const Eigen::Vector3d margin(1.0, 1.0, 0.0), low = box.min() - margin, high = box.max() + margin;
-  Add("floor", {{"linoleum", BoxBetween(low.x(), low.y(), -0.2, high.x(), high.y(), 0.0)}}, {}, world);
-  Add("ceiling", {{"plaster", BoxBetween(low.x(), low.y(), height, high.x(), high.y(), height + 0.2)}}, {},
-      world);
 }
 
 }  // namespace
@@ -84,13 +96,15 @@ World ParsePlan(const std::string& text, const std::string& name_for_errors, con
   if (walls.empty()) Fail("{}: the plan has no walls", name_for_errors);
   const std::vector<PlanWall> doorways = FindDoorways(walls, plan.doors);
   World world{plan.name, {}, {0.0, plan.start}};
-  AddFloorAndCeiling(walls, options.height, world);
+  AddShell(walls, options.height, world);
   for (std::size_t i = 0; i < walls.size(); ++i) {
     const PlanWall line = Lengthened(walls[i], doorways, 0.5 * options.thickness);
     Add(fmt::format("wall {}", i), Make(WallOf(line, options)), Along(line), world);
   }
   for (std::size_t i = 0; i < doorways.size(); ++i) {
-    Add(fmt::format("doorway {}", i), Make(DoorwayOf(doorways[i], options)), Along(doorways[i]), world);
+    const bool closed = LeadsOutside(doorways[i], plan.spaces);  // or the robot would drive away
+    Add(fmt::format("doorway {}", i), Make(DoorwayOf(doorways[i], closed, options)), Along(doorways[i]),
+        world);
   }
   for (PlacedThing& piece : FurnishPlan(plan, walls, options)) {
     Add(piece.name, std::move(piece.thing), ToPose3(piece.T_map_thing), world);

@@ -32,7 +32,7 @@ struct PlanOptions {
 
 /// A floor plan in JSON, lengths in m: "walls": [[x1, y1, x2, y2], ...] with openings cut out at "doors":
 /// [[x, y], ...], "start": [x, y], "spaces": [{"label", "polygon"}]. It gets walls of a thickness, a floor,
-/// a ceiling, and frames and lintels at the doors.
+/// a ceiling, and frames and lintels at the doors; doors that lead out of all spaces are closed.
 World ReadPlanWorld(const std::string& path, const PlanOptions& options = {});
 World ParsePlan(const std::string& text, const std::string& name_for_errors,
                 const PlanOptions& options = {});

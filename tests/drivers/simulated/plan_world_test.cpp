@@ -73,6 +73,17 @@ TEST(ParsePlan, MakesWallsOfTheirThicknessWithDoors) {
   EXPECT_TRUE(scene.Cast({Vector3d(-0.5, -0.05, 1), Vector3d::UnitX()}).hit()) << "corners are full";
 }
 
+TEST(ParsePlan, KeepsTheRobotInTheWorld) {
+  // With the second room gone from the spaces, its door leads outside and is closed.
+  std::string text = kTwoRooms;
+  text.resize(text.rfind(",\n"));
+  const RayScene closed(ParsePlan(text + "]}", "plan.json"));
+  EXPECT_LT(closed.Cast({Vector3d(1, 1.5, 1), Vector3d::UnitX()}).distance, 3.0);
+  const RayScene yard(ParsePlan(kTwoRooms, "plan.json"));
+  EXPECT_NEAR(yard.Cast({Vector3d(-0.5, 1.5, 1), -Vector3d::UnitX()}).distance, 0.4, 1e-9)
+      << "a wall around all";
+}
+
 TEST(ParsePlan, NarrowsDoorsIfAsked) {
   PlanOptions options;
   options.door_width = 0.7;
