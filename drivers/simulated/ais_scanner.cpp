@@ -21,7 +21,7 @@ SweepMounting AisMounting(const AisScannerOptions& options) {
   SweepMounting mounting;
   mounting.T_base_laser.translation = {options.mount_x, options.mount_y, options.mount_z};
   mounting.scanner = HalfCircle(turns);
-  mounting.beams = static_cast<std::size_t>(180 * turns + 1);
+  mounting.beams = HalfCircleBeams(turns);
   mounting.mirror_forward = options.mirror_forward;
   mounting.mirror_up = options.mirror_up;
   return mounting;

@@ -16,7 +16,7 @@ SweepMounting MountingAt(double x, double heading, const SafetyScannerOptions& o
   mounting.T_base_laser = slam::ToPose3(slam::Pose2{heading, {x, 0.0}});
   mounting.T_base_laser.translation.z() = options.height;
   mounting.scanner = HalfCircle(turns);
-  mounting.beams = static_cast<std::size_t>(180 * turns + 1);
+  mounting.beams = HalfCircleBeams(turns);
   return mounting;
 }
 

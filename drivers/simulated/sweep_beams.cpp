@@ -25,6 +25,8 @@ slam::ScannerModel HalfCircle(int turns) {
   return scanner;
 }
 
+std::size_t HalfCircleBeams(int turns) { return 180 * static_cast<std::size_t>(turns) + 1; }
+
 std::vector<Ray> SweepBeams(const SweepMounting& mounting, const Motion& T_map_base, double stamp,
                             double pitch, double pitch_rate) {
   slam::Pose3 T_map_laser = PoseAt(T_map_base, stamp) * mounting.T_base_laser;

@@ -18,6 +18,7 @@ struct SweepMounting {
 
 /// Angles and times of a sweep over 180 deg for which the mirror turns once, twice or four times.
 slam::ScannerModel HalfCircle(int turns);
+std::size_t HalfCircleBeams(int turns);  // 181, 361 or 721
 
 /// The beams of a sweep that starts at `stamp` [s] with `pitch` [rad], as rays at their own time, pitch and
 /// place of the base.
