@@ -207,6 +207,8 @@ def main():
     data = pathlib.Path(os.environ.get("ARIADNE_DATA", PAPER.parent.parent / "shared" / "data"))
     real_data = (data / "scans" / "hallway").is_dir() and (data / "scans" / "garage13").is_dir()
     BUILD.mkdir(exist_ok=True)
+    if os.getloadavg()[0] > os.cpu_count():
+        say("the machine is busy: times that are measured now will be too long (--fresh measures them again)")
     values = v.Values()
     published = read_json(PAPER / "published.json")
     v.add_published_table(values, published)
