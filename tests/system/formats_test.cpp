@@ -67,6 +67,7 @@ using InfoCommand = ProgramTest;
 
 TEST_F(InfoCommand, TellsWhatIsInAFolder) {
   WriteTwoScans("scans");
+  EXPECT_EQ(Ariadne("info scans").err, "");
   const std::string out = Must("info scans");
   EXPECT_THAT(out, HasSubstr("2 scans, 6000 points\n"));
   EXPECT_THAT(out, HasSubstr("first guesses of the poses from .pose files in scans\n"));

@@ -16,6 +16,12 @@ std::string Shown(bool quiet) {
 
 TEST(ProgressDisplay, WritesOnlyFinishedStepsIntoALogFile) { EXPECT_EQ(Shown(false), "finished\n"); }
 
+TEST(ProgressDisplay, LeavesNoEmptyLine) {
+  testing::internal::CaptureStderr();
+  ProgressDisplay(false).Keep("");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(ProgressDisplay, IsSilentIfAskedTo) { EXPECT_EQ(Shown(true), ""); }
 
 TEST(ProgressDisplay, DoesNotGuessTheEndBeforeItHasBegun) {
