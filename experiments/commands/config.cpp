@@ -36,7 +36,7 @@ void AddConfigCommand(CLI::App& app) {
     if (arguments->describe) {
       PrintManual(study);
     } else {
-      fmt::print("experiment: {}\n{}", study.name, study.defaults());
+      fmt::print("{}", study.defaults());
     }
   });
 }

@@ -13,10 +13,11 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr std::size_t kSamples = 1000;      // that tell the spacing
-constexpr double kNear = 0.2;               // nearer points are usually the robot, or failures [m]
-constexpr double kWorthTelling = 0.001;     // share of the points
-constexpr double kSameRange = 1e-3;         // within it, ranges at the far end are one value: relative
+constexpr std::size_t kSamples = 1000;   // that tell the spacing
+constexpr double kNear = 0.2;            // nearer points are usually the robot, or failures [m]
+constexpr double kWorthTelling = 0.001;  // share of the points
+constexpr double kNotByChance = 10.0;    // points at one range: the farthest ones of a small scan are not
+constexpr double kSameRange = 1e-3;      // within it, ranges at the far end are one value: relative
 constexpr double kManyTimesMedian = 100.0;  // a farthest point beyond this is probably no measurement
 
 double Median(std::vector<double> values) {
@@ -48,7 +49,7 @@ std::string FindSuspicious(const std::vector<double>& ranges, const ScanStatisti
   const double near = share([](double r) { return r < kNear; });
   if (near > kWorthTelling) found.push_back(fmt::format("{:.1f} % nearer than {} m", 100.0 * near, kNear));
   const double far = share([&](double r) { return r > s.max_range * (1.0 - kSameRange); });
-  if (far > kWorthTelling) {
+  if (far > kWorthTelling && far * static_cast<double>(ranges.size()) > kNotByChance) {
     found.push_back(
         fmt::format("{:.1f} % at {:.2f} m, the largest range: no-returns", 100.0 * far, s.max_range));
   }

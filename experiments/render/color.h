@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace ariadne::experiments {
@@ -19,7 +20,7 @@ inline constexpr Rgb kBlack{0, 0, 0};
 
 /// A channel value in 0 to 255, rounded, as 8 bits.
 inline std::uint8_t ToChannel(double value) {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 255.0) + 0.5);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
 }
 
 /// The colour at share s of the way from a (s = 0) to b (s = 1).

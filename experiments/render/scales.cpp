@@ -81,8 +81,10 @@ Image WithColorBar(const Image& picture, ColorMap map, const ValueRange& range, 
   }
   const double baseline = 3.4 * unit;
   for (const double share : {0.0, 0.5, 1.0}) {
-    const std::string label =
-        fmt::format("{:.{}f}", range.low + share * (range.high - range.low), DecimalsFor(range));
+    const double value = range.low + share * (range.high - range.low);
+    const double unit_of_label = std::pow(10.0, -DecimalsFor(range));
+    const double rounded = std::round(value / unit_of_label) * unit_of_label + 0.0;  // -0 + 0 is 0
+    const std::string label = fmt::format("{:.{}f}", rounded, DecimalsFor(range));
     DrawText(band, {left + share * (right - left), baseline}, label, style, Align::kCenter);
   }
   TextStyle name = style;

@@ -20,7 +20,7 @@ struct Tile {
 
   /// Where a pixel stands among those of the tile.
   std::size_t IndexOf(int x, int y) const {
-    return static_cast<std::size_t>((y - top) * kSide + (x - left));
+    return static_cast<std::size_t>(y - top) * kSide + static_cast<std::size_t>(x - left);
   }
 };
 

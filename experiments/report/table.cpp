@@ -68,6 +68,29 @@ std::string ToCsv(const Table& table) {
   return text;
 }
 
+Table FromCsv(const std::string& text) {
+  std::vector<std::vector<std::string>> rows(1, std::vector<std::string>(1));
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::string& cell = rows.back().back();
+    if (text[i] == '"') {
+      if (quoted && i + 1 < text.size() && text[i + 1] == '"')
+        cell += text[++i];  // "" is a quote
+      else
+        quoted = !quoted;
+    } else if (text[i] == ',' && !quoted) {
+      rows.back().emplace_back();
+    } else if (text[i] == '\n' && !quoted) {
+      rows.emplace_back(1);
+    } else {
+      cell += text[i];
+    }
+  }
+  rows.pop_back();  // after the last line's end
+  Table table{rows.front(), {rows.begin() + 1, rows.end()}};
+  return table;
+}
+
 std::string ToText(const Table& table) {
   std::vector<std::size_t> widths;
   for (const std::string& column : table.columns) widths.push_back(DisplayWidth(column));

@@ -14,6 +14,9 @@ struct Table {
 
 std::string ToCsv(const Table& table);
 
+/// The table that ToCsv() has written.
+Table FromCsv(const std::string& text);
+
 /// Aligned columns, numbers to the right.
 std::string ToText(const Table& table);
 

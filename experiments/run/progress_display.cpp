@@ -22,7 +22,7 @@ void ProgressDisplay::Show(const std::string& text) {
 void ProgressDisplay::Keep(const std::string& text) {
   if (quiet_) return;
   ClearLine();
-  fmt::print(stderr, "{}\n", text);
+  if (!text.empty()) fmt::print(stderr, "{}\n", text);
 }
 
 std::string ProgressDisplay::Eta(double done_share) const {

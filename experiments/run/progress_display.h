@@ -14,7 +14,7 @@ class ProgressDisplay {
 
   /// A passing state, at most ten times a second.
   void Show(const std::string& text);
-  /// A finished step, which stays.
+  /// A finished step, which stays. An empty text only takes the passing state away.
   void Keep(const std::string& text);
 
   /// "ETA 12 s", from the share of the work that is done.

@@ -58,7 +58,7 @@ RunDirectory::RunDirectory(const std::filesystem::path& path, Existing existing)
 }
 
 std::filesystem::path RunDirectory::File(const std::string& name) const {
-  const std::filesystem::path file = path_ / name;
+  std::filesystem::path file = path_ / name;
   MakeDirectory(file.parent_path());
   return file;
 }

@@ -7,6 +7,7 @@
 #include "experiments/render/png_file.h"
 #include "experiments/report/map_pictures.h"
 #include "experiments/run/manifest.h"
+#include "experiments/run/run_page.h"
 #include "slam/base/error.h"
 #include "slam/geometry/angles.h"
 #include "slam/reduce/reduce.h"
@@ -71,7 +72,7 @@ std::string RunFig03(const Fig03Options& options, const RunDirectory& run, Progr
                                  {"iterations", final.iterations.size()},
                                  {"pairs", final.pairs},
                                  {"rms_m", final.rms}});
-  run.WriteProgress("finished", 1, 1);
+  FinishRun(run, "Fig. 3: two scans before, during and after ICP", 1);
   return text;
 }
 

@@ -6,6 +6,7 @@
 #include "experiments/render/png_file.h"
 #include "experiments/report/map_pictures.h"
 #include "experiments/run/manifest.h"
+#include "experiments/run/run_page.h"
 #include "slam/reduce/reduce.h"
 
 namespace ariadne::experiments {
@@ -24,7 +25,7 @@ std::string RunFig05(const Fig05Options& options, const RunDirectory& run, Progr
   const Image right = ScanPicture(frame, frame, kSmall, fmt::format("All {} points", all.size()));
   WritePng(run.File("figures/reduced_and_all.png"), Grid({left, right}, {.columns = 2}));
   run.WriteJson("metrics.json", {{"points", all.size()}, {"reduced_points", reduced.size()}});
-  run.WriteProgress("finished", 1, 1);
+  FinishRun(run, "Fig. 5: reduced points beside all points", 1);
   return fmt::format("{} points, {} reduced points: 1 of {:.1f}\n", all.size(), reduced.size(),
                      static_cast<double>(all.size()) / static_cast<double>(reduced.size()));
 }

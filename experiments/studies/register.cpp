@@ -4,6 +4,7 @@
 
 #include "experiments/config/options_io.h"
 #include "experiments/run/manifest.h"
+#include "experiments/run/run_page.h"
 #include "experiments/studies/register_log.h"
 #include "experiments/studies/register_output.h"
 #include "experiments/studies/register_report.h"
@@ -81,7 +82,7 @@ RegisterSummary RunRegister(const RegisterOptions& options, const RunDirectory& 
   state.timing["write_s"] = writing.Seconds();
   run.WriteJson("timing.json", state.timing);
   std::filesystem::remove(run.path() / kCheckpoint);
-  run.WriteProgress("finished", source.size(), source.size());
+  FinishRun(run, fmt::format("Registration of {} scans", source.size()), source.size());
   return summary;
 }
 

@@ -23,6 +23,7 @@ constexpr std::size_t kPicturePoints =
 constexpr const char* kReadme =
     R"(What this run has left (units m, rad, s; x forward, y left, z up)
 
+report.html     all of it at a glance, in any browser
 config.yaml     all options, with their values; running it again gives the same bytes
 manifest.json   what the run was made with: commit, compiler, libraries, SHA-256 of the inputs
 progress.json   how far the run has come: running, finished or failed

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "experiments/run/manifest.h"
+#include "experiments/run/run_page.h"
 #include "slam/reduce/reduce.h"
 #include "slam/registration/align.h"
 
@@ -89,7 +90,7 @@ std::string RunTable1(const Table1Options& options, const RunDirectory& run, Pro
   }
   run.WriteJson("metrics.json", metrics);
   run.WriteJson("timing.json", timing);
-  run.WriteProgress("finished", kRows.size(), kRows.size());
+  FinishRun(run, "Table 1: all and reduced points, brute force and k-d tree", kRows.size());
   return ToText(table);
 }
 

@@ -1,12 +1,12 @@
 #!/bin/sh
 # Builds the fuzzers with clang and runs each for a time, as many at once as there are cores.
 #   tests/fuzz/run.sh [seconds per reader, default 600] [readers, default all]
-# Leaves logs, grown corpora and (in crashes/) inputs that broke a reader in build-fuzz/runs. Exits non-zero on
+# Leaves logs, grown corpora and (in crashes/) inputs that broke a reader in build/fuzz/runs. Exits non-zero on
 # any report of a sanitizer. What it found and was mended belongs to tests/fuzz/corpus/<reader>/found_*.
 set -eu
 
 source=$(cd "$(dirname "$0")/../.." && pwd)
-build=${ARIADNE_FUZZ_BUILD:-$source/build-fuzz}
+build=${ARIADNE_FUZZ_BUILD:-$source/build/fuzz}
 runs=$build/runs
 seconds=${1:-600}
 [ $# -gt 0 ] && shift
