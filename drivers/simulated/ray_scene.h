@@ -22,10 +22,10 @@ struct Hit {
   static constexpr std::uint32_t kNothing = std::numeric_limits<std::uint32_t>::max();
 
   double distance = std::numeric_limits<double>::infinity();  // along the ray [m]
-  Eigen::Vector3d normal_map = Eigen::Vector3d::Zero();       // of the surface, unit, towards the ray's origin
-  std::uint32_t body = kNothing;                              // index into World::bodies
-  std::uint32_t triangle = kNothing;                          // index into that body's mesh
-  double reflectance = 0.0;                                   // of the body's material
+  Eigen::Vector3d normal_map = Eigen::Vector3d::Zero();  // of the surface, unit, towards the ray's origin
+  std::uint32_t body = kNothing;                         // index into World::bodies
+  std::uint32_t triangle = kNothing;                     // index into that body's mesh
+  double reflectance = 0.0;                              // of the body's material
 
   bool hit() const { return body != kNothing; }
 };

@@ -1,37 +1,34 @@
 #include "experiments/run/scan_source.h"
 
-#include <cstdlib>
-
+#include "experiments/run/data_path.h"
 #include "slam/base/error.h"
 #include "slam/io/cloud_io.h"
+#include "slam/io/file.h"
 #include "slam/io/initial_poses.h"
 #include "slam/io/scan_list.h"
+#include "slam/io/trajectory.h"
 
 namespace ariadne::experiments {
 namespace {
 
-constexpr std::string_view kBuiltIn = "builtin:office";
+constexpr std::string_view kOffice = "builtin:office";
+constexpr std::string_view kTour = "builtin:tour";
+constexpr std::string_view kTruth =
+    "truth.tum";  // beside simulated scans, as the experiment `simulate` leaves it
+
+std::vector<slam::StampedPose> ReadTrajectory(const std::filesystem::path& file) {
+  std::ifstream in = slam::OpenForReading(file);
+  return slam::ReadTum(in, file.string());
+}
 
 }  // namespace
 
-std::filesystem::path ExpandDataPath(const std::string& path) {
-  constexpr std::string_view kVariable = "$ARIADNE_DATA";
-  if (!path.starts_with(kVariable)) return path;
-  const char* value = std::getenv("ARIADNE_DATA");
-  const std::filesystem::path data = value != nullptr ? value : "../shared/data";
-  if (!std::filesystem::exists(data)) {
-    Fail(
-        "{}: there is no folder {}; set the environment variable ARIADNE_DATA to the folder with the data "
-        "sets",
-        path, data.string());
-  }
-  return data.string() + path.substr(kVariable.size());
-}
-
 ScanSource::ScanSource(const InputOptions& options) {
   CheckOptions(options, "input.");
-  if (options.folder == kBuiltIn) {
+  if (options.folder == kOffice) {
     OpenOffice(options.office);
+  } else if (options.folder == kTour) {
+    OpenTour(options.tour);
   } else {
     OpenFolder(options);
   }
@@ -60,6 +57,16 @@ void ScanSource::OpenOffice(const OfficeScanOptions& options) {
   notes_.push_back(fmt::format("simulated office, seed {}: the true poses are known", options.seed));
 }
 
+void ScanSource::OpenTour(const TourOptions& options) {
+  tour_ = std::make_shared<const SimulatedTour>(options);
+  for (std::size_t i = 0; i < tour_->size(); ++i) {
+    entries_.push_back(
+        {fmt::format("scan{:03}", i), i, tour_->T_odom_laser(i), tour_->T_map_laser_true(i), {}});
+  }
+  notes_.push_back(fmt::format("simulated tour through {}, seed {}: the true poses are known",
+                               tour_->scene().world().name, options.seed));
+}
+
 void ScanSource::OpenFolder(const InputOptions& options) {
   const bool by_extension = options.format == InputFormat::kAuto;
   const slam::ScanList list = by_extension ? slam::ListScans(ExpandDataPath(options.folder))
@@ -75,13 +82,28 @@ void ScanSource::OpenFolder(const InputOptions& options) {
     entries_.push_back({scan.name, i, poses ? poses->T_map_laser[i] : slam::Pose3{}, {}, scan.path});
   }
   format_ = list.format;
+  ReadTruth(ExpandDataPath(options.folder) / kTruth);
+}
+
+void ScanSource::ReadTruth(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return;
+  const std::vector<slam::StampedPose> truth = ReadTrajectory(file);
+  if (truth.size() != entries_.size()) {
+    Fail("{}: {} poses, but there are {} scans", file.string(), truth.size(), entries_.size());
+  }
+  for (std::size_t i = 0; i < truth.size(); ++i) entries_[i].T_map_laser_true = truth[i].pose;
+  notes_.push_back("true poses from " + file.string());
 }
 
 slam::PosedCloud ScanSource::Read(std::size_t i) const {
   const Entry& entry = entries_[i];
-  slam::PointCloud cloud_laser =
-      entry.file.empty() ? ScanOffice(office_, entry.number) : slam::ReadCloud(entry.file, format_).cloud;
-  return {entry.name, std::move(cloud_laser), entry.T_odom_laser};
+  return {entry.name, ReadCloudOf(entry), entry.T_odom_laser};
+}
+
+slam::PointCloud ScanSource::ReadCloudOf(const Entry& entry) const {
+  if (!entry.file.empty()) return slam::ReadCloud(entry.file, format_).cloud;
+  if (tour_) return slam::ToPointCloud(tour_->TakeScan(entry.number, Parallel(1)));
+  return ScanOffice(office_, entry.number);
 }
 
 std::vector<std::filesystem::path> ScanSource::Files() const {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "experiments/run/office_scans.h"
+#include "experiments/run/simulated_tour.h"
 #include "slam/base/options.h"
 #include "slam/io/cloud_format.h"
 #include "slam/scan/point_cloud.h"
@@ -21,17 +23,28 @@ struct InputOptions {
   int first = 0;
   int last = -1;
   OfficeScanOptions office;
+  TourOptions tour;
+
+  /// Those of an experiment that needs a simulated tour.
+  static InputOptions OfTour() {
+    InputOptions options;
+    options.folder = "builtin:tour";
+    return options;
+  }
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("folder", self.folder,
-          "of the scans; $ARIADNE_DATA in it stands for the environment's; builtin:office needs no files");
+          "of the scans; $ARIADNE_DATA in it stands for the environment's; builtin:office and builtin:tour "
+          "need "
+          "no files");
     visit("format", self.format, "of the files; auto: by their extensions");
     visit("poses", self.poses,
           "file of first guesses; empty: .pose or .frames files, or a trajectory beside them");
     visit("first", self.first, Unit(""), Range{0, 1e9}, "number of the first scan, in natural order");
     visit("last", self.last, Unit(""), Range{-1, 1e9}, "number of the last scan; -1: to the end");
-    visit("office", self.office, "the built-in scans");
+    visit("office", self.office, "the scans of builtin:office");
+    visit("tour", self.tour, "the simulated robot of builtin:tour");
   }
 };
 
@@ -63,17 +76,18 @@ class ScanSource {
     std::filesystem::path file;  // empty: a built-in scan
   };
   void OpenOffice(const OfficeScanOptions& options);
+  void OpenTour(const TourOptions& options);
   void OpenFolder(const InputOptions& options);
+  void ReadTruth(const std::filesystem::path& file);
+  slam::PointCloud ReadCloudOf(const Entry& entry) const;
   void Select(const InputOptions& options);
 
   std::vector<Entry> entries_;
   OfficeScanOptions office_;
+  std::shared_ptr<const SimulatedTour> tour_;  // of builtin:tour
   slam::CloudFormat format_ = slam::CloudFormat::kUos;
   std::vector<std::string> notes_;
 };
-
-/// The path with $ARIADNE_DATA replaced by the environment's value, or by ../shared/data where it has none.
-std::filesystem::path ExpandDataPath(const std::string& path);
 
 }  // namespace ariadne::experiments
 

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "experiments/studies/ablation_matching.h"
 #include "experiments/studies/fig_03.h"
+#include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
 #include "experiments/studies/register.h"
+#include "experiments/studies/simulate.h"
 #include "experiments/studies/table_1.h"
 
 namespace ariadne::experiments {
@@ -48,7 +51,12 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
                                RunTable1),
       MakeStudy<Fig03Options>("fig_03", "two scans before, during and after ICP", RunFig03),
-      MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05)};
+      MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05),
+      MakeStudy<Fig04Options>("fig_04", "scans of a corridor by each way of matching", RunFig04),
+      MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot", RunSimulate),
+      MakeStudy<AblationMatchingOptions>("ablation_matching",
+                                         "ways of matching many scans, over many simulated tours",
+                                         RunAblationMatching)};
   return kStudies;
 }
 

@@ -1,0 +1,91 @@
+#include "experiments/render/world_view.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+
+namespace ariadne::experiments {
+namespace {
+
+constexpr double kFarBehind = 200.0;  // where the rays of an orthographic camera start [m]
+constexpr double kAmbient = 0.45;     // share of the light that does not come from the camera
+
+/// The ray through a point of the picture.
+class PixelRays {
+ public:
+  explicit PixelRays(const Camera& camera)
+      : camera_(camera), T_map_camera_(camera.T_camera_map.Inverse()) {}
+
+  drivers::Ray Through(double u, double v) const {
+    const Eigen::Vector2d p = (Eigen::Vector2d(u, v) - camera_.center) / camera_.scale;
+    if (camera_.projection == Camera::Projection::kOrthographic) {
+      return {T_map_camera_ * Eigen::Vector3d(p.x(), p.y(), -kFarBehind),
+              T_map_camera_.rotation * Eigen::Vector3d::UnitZ()};
+    }
+    return {T_map_camera_.translation,
+            (T_map_camera_.rotation * Eigen::Vector3d(p.x(), p.y(), 1.0)).normalized()};
+  }
+
+ private:
+  const Camera& camera_;
+  slam::Pose3 T_map_camera_;
+};
+
+/// The part of the ray below the cut; nothing where it never comes there.
+std::optional<drivers::Ray> Below(drivers::Ray ray, double cut_height) {
+  if (ray.origin_map.z() <= cut_height) return ray;
+  if (ray.direction_map.z() >= 0.0) return std::nullopt;
+  ray.origin_map += (cut_height - ray.origin_map.z()) / ray.direction_map.z() * ray.direction_map;
+  return ray;
+}
+
+/// Whether the ray meets a surface from the inside of its body: then it began in what the cut has opened.
+bool FromInside(const drivers::World& world, const drivers::Ray& ray, const drivers::Hit& hit) {
+  const drivers::Body& body = world.bodies[hit.body];
+  const auto& [a, b, c] = body.mesh_body.triangles[hit.triangle];
+  const std::vector<Eigen::Vector3d>& corners = body.mesh_body.vertices;
+  const Eigen::Vector3d outward_body = (corners[b] - corners[a]).cross(corners[c] - corners[a]);
+  return (drivers::PoseAt(body.motion, ray.time).rotation * outward_body).dot(ray.direction_map) > 0.0;
+}
+
+Rgb ColorOf(const drivers::RayScene& scene, const drivers::Ray& ray, bool was_cut, const drivers::Hit& hit,
+            const WorldViewOptions& options) {
+  if (!hit.hit()) return options.background;
+  if (was_cut && FromInside(scene.world(), ray, hit)) return options.cut;
+  const double height = (ray.origin_map + hit.distance * ray.direction_map).z();
+  const Rgb color = options.color_by_height ? ColorAt(ColorMap::kShore, options.heights.Share(height))
+                                            : ColorAt(ColorMap::kGray, std::sqrt(hit.reflectance));
+  const double light = kAmbient + (1.0 - kAmbient) * std::abs(hit.normal_map.dot(ray.direction_map));
+  return Mix(kBlack, color, light);
+}
+
+void RenderRow(const drivers::RayScene& scene, const PixelRays& rays, const WorldViewOptions& options,
+               int y, Image& image) {
+  for (int x = 0; x < image.width; ++x) {
+    const drivers::Ray whole = rays.Through(x + 0.5, y + 0.5);
+    std::optional<drivers::Ray> ray = Below(whole, options.cut_height);
+    if (!ray) continue;
+    ray->time = options.time;
+    const bool was_cut = whole.origin_map != ray->origin_map;
+    image.pixels[image.IndexOf(x, y)] = ColorOf(scene, *ray, was_cut, scene.Cast(*ray), options);
+  }
+}
+
+}  // namespace
+
+Image RenderWorld(const drivers::RayScene& scene, const Camera& camera, const WorldViewOptions& options,
+                  const Parallel& parallel) {
+  RequireUsable(camera);
+  const Camera magnified = Magnified(camera, options.supersampling);
+  const PixelRays rays(magnified);
+  Image image(magnified.width, magnified.height, options.background);
+  parallel.For(static_cast<std::size_t>(image.height), 16,
+               [&](std::size_t begin, std::size_t end, std::size_t) {
+                 for (std::size_t y = begin; y < end; ++y) {
+                   RenderRow(scene, rays, options, static_cast<int>(y), image);
+                 }
+               });
+  return Reduced(image, options.supersampling);
+}
+
+}  // namespace ariadne::experiments

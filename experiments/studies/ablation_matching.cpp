@@ -1,0 +1,116 @@
+#include "experiments/studies/ablation_matching.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "experiments/metrics/statistics.h"
+#include "experiments/run/manifest.h"
+#include "experiments/run/run_page.h"
+#include "experiments/studies/matching_table.h"
+#include "slam/base/error.h"
+#include "slam/base/numbers.h"
+
+namespace ariadne::experiments {
+namespace {
+
+constexpr const char* kCheckpoint = "checkpoint.json";
+constexpr std::array kMethods{slam::MatchMethod::kPairwise, slam::MatchMethod::kMetascan,
+                              slam::MatchMethod::kSimultaneous};
+
+std::vector<LabelledTrial> TrialsSoFar(const RunDirectory& run) {
+  std::vector<LabelledTrial> trials;
+  if (!std::filesystem::exists(run.path() / kCheckpoint)) return trials;
+  for (const Json& trial : Json::parse(run.ReadText(kCheckpoint)))
+    trials.push_back(LabelledTrialFromJson(trial));
+  return trials;
+}
+
+void WriteCheckpoint(const std::vector<LabelledTrial>& trials, const RunDirectory& run) {
+  Json json = Json::array();
+  for (const LabelledTrial& trial : trials) json.push_back(ToJson(trial));
+  run.WriteJson(kCheckpoint, json);
+}
+
+/// All methods on one tour, with the odometry for comparison, and the truth for what the scanner leaves.
+std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, double noise, int seed,
+                                   const TrueBuilding& building, const Parallel& parallel) {
+  TourOptions tour_options = options.input.tour;
+  tour_options.odometry_noise = noise;
+  tour_options.seed = seed;
+  const TourScans scans = TakeTourScans(SimulatedTour(tour_options), building, parallel);
+  std::vector<slam::Pose3> T_odom_laser;
+  for (const slam::PosedCloud& scan : scans.scans) T_odom_laser.push_back(scan.T_map_laser);
+  std::vector<LabelledTrial> trials{
+      {noise, seed, "odometry", JudgePoses(scans, building, T_odom_laser, parallel)}};
+  for (const slam::MatchMethod method : kMethods) {
+    slam::MapperOptions mapper = options.mapper;
+    mapper.registration.method = method;
+    trials.push_back(
+        {noise, seed, std::string(NameOf(method)), TryMatching(scans, building, mapper, parallel)});
+  }
+  trials.push_back({noise, seed, "truth", JudgePoses(scans, building, scans.T_map_laser_true, parallel)});
+  return trials;
+}
+
+/// Median seconds of each method over all tours.
+Json TimingOf(const std::vector<LabelledTrial>& trials) {
+  Json timing;
+  for (const slam::MatchMethod method : kMethods) {
+    std::vector<double> seconds;
+    for (const LabelledTrial& t : trials) {
+      if (t.method == NameOf(method)) seconds.push_back(t.trial.seconds);
+    }
+    timing[std::string(NameOf(method))] = {{"median_s", Median(seconds)}};
+  }
+  return timing;
+}
+
+std::string Report(const AblationMatchingOptions& options, const std::vector<LabelledTrial>& trials,
+                   const RunDirectory& run) {
+  const Table medians = MedianTable(trials, options.bootstrap);
+  const Table paired =
+      PairedTable(trials, std::string(NameOf(slam::MatchMethod::kSimultaneous)), options.bootstrap);
+  run.WriteCsv("trials.csv", TrialTable(trials));
+  run.WriteCsv("medians.csv", medians);
+  run.WriteCsv("paired.csv", paired);
+  run.WriteText("medians.tex", ToLatex(medians));
+  run.WriteText("paired.tex", ToLatex(paired));
+  run.WriteJson("timing.json", TimingOf(trials));
+  return fmt::format("medians over {} tours with their {:.0f} % intervals\n{}\npaired differences\n{}",
+                     options.seeds, 100.0 * options.bootstrap.confidence, ToText(medians), ToText(paired));
+}
+
+}  // namespace
+
+std::string RunAblationMatching(const AblationMatchingOptions& options, const RunDirectory& run,
+                                ProgressDisplay& progress) {
+  if (options.input.folder != "builtin:tour") {
+    Fail("ablation_matching needs the truth of many tours: input.folder must be builtin:tour, not {}",
+         options.input.folder);
+  }
+  const std::vector<double> levels = ParseNumbers(options.noise_levels, "noise_levels");
+  WriteManifest(run, {});
+  const TrueBuilding building(SimulatedTour(options.input.tour).scene().world());
+  const Parallel parallel(options.threads);
+  std::vector<LabelledTrial> trials = TrialsSoFar(run);
+  const std::size_t per_tour = kMethods.size() + 2;
+  const std::size_t tours = levels.size() * static_cast<std::size_t>(options.seeds);
+  for (std::size_t i = trials.size() / per_tour; i < tours; ++i) {
+    run.WriteProgress("running", i, tours);
+    const double noise = levels[i / static_cast<std::size_t>(options.seeds)];
+    const int seed = options.input.tour.seed + static_cast<int>(i) % options.seeds;
+    progress.Show(fmt::format("tour {} of {}: noise {}, seed {}, {}", i + 1, tours, noise, seed,
+                              progress.Eta(static_cast<double>(i) / static_cast<double>(tours))));
+    for (LabelledTrial& trial : RunTour(options, noise, seed, building, parallel)) {
+      trials.push_back(std::move(trial));
+    }
+    WriteCheckpoint(trials, run);
+  }
+  const std::string text = Report(options, trials, run);
+  std::filesystem::remove(run.path() / kCheckpoint);
+  FinishRun(run, "Ways of matching many scans, on simulated tours", tours);
+  return text;
+}
+
+}  // namespace ariadne::experiments
