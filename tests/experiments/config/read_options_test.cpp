@@ -53,6 +53,7 @@ TEST(ReadOptions, NamesTheNearestKeyForAnUnknownOne) {
   EXPECT_EQ(error("bed:\n  plnats: 3\n"),
             "garden.yaml:3: unknown key bed.plnats; did you mean bed.plants?");
   EXPECT_EQ(error("bed.widht: 3\n"), "garden.yaml:2: unknown key bed.widht; did you mean bed.width?");
+  EXPECT_THAT(error("widht: 3\n"), EndsWith("did you mean bed.width?")) << "not height";
   EXPECT_THAT(error("plants: 3\n"), EndsWith("did you mean bed.plants?")) << "without its section";
   EXPECT_THAT(error("cold_frame:\n  plant: 3\n"), EndsWith("did you mean cold_frame.plants?"));
   EXPECT_THAT(error("bed: 3\n"), HasSubstr("garden.yaml:2: unknown key bed")) << "a section has no value";

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "drivers/simulated/box_world.h"
 
 namespace ariadne::experiments {
@@ -80,6 +83,26 @@ TEST(ScanOffice, IsOrganizedAndOnTheWallsWithoutNoise) {
     ASSERT_TRUE(hit.has_value());
     EXPECT_GT(*hit, p.norm() - 1e-5) << "nothing is before the point";
   }
+}
+
+/// How much noise changes the range of each point.
+std::vector<double> RangeErrors(std::size_t stop) {
+  OfficeScanOptions exact = Coarse();
+  exact.range_sigma = 0.0;
+  const slam::PointCloud noisy = ScanOffice(Coarse(), stop), true_points = ScanOffice(exact, stop);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < noisy.size(); ++i) {
+    errors.push_back(noisy.positions[i].norm() - true_points.positions[i].norm());
+  }
+  return errors;
+}
+
+TEST(ScanOffice, DisturbsDifferentStopsDifferently) {
+  const std::vector<double> a = RangeErrors(1), b = RangeErrors(2);
+  ASSERT_EQ(a.size(), b.size());
+  double difference = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) difference = std::max(difference, std::abs(a[i] - b[i]));
+  EXPECT_GT(difference, 0.005) << "two draws of sigma 5 mm; the same stream would differ by rounding";
 }
 
 TEST(ScanOffice, DrawsANoiseOfItsOwnForEachStopAndSeed) {
