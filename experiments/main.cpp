@@ -46,6 +46,8 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddConvertCommand(app);
   ariadne::experiments::AddInfoCommand(app);
   ariadne::experiments::AddConfigCommand(app);
+  ariadne::experiments::AddSimulateCommand(app);
+  ariadne::experiments::AddViewCommand(app);
   try {
     if (argc > 1 && argv[1][0] != '-') RequireKnownCommand(app, argv[1]);
     app.parse(argc, argv);

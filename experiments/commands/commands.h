@@ -11,5 +11,7 @@ void AddRunCommand(CLI::App& app, int& status);
 void AddConvertCommand(CLI::App& app);
 void AddInfoCommand(CLI::App& app);
 void AddConfigCommand(CLI::App& app);
+void AddSimulateCommand(CLI::App& app);
+void AddViewCommand(CLI::App& app);
 
 }  // namespace ariadne::experiments

@@ -6,6 +6,7 @@
 #include "experiments/render/overlay.h"
 #include "experiments/render/point_view.h"
 #include "experiments/render/scales.h"
+#include "experiments/report/map_cameras.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 using Scans = std::vector<slam::PosedCloud>;
 
 constexpr std::size_t kMaxLegend = 20;  // more scans than categorical colours cannot be told apart
-constexpr double kAzimuth = -2.0;       // from where oblique views look [rad]
-constexpr double kElevation = 0.75;
 
 std::vector<slam::Pose3> Poses(const Scans& scans) {
   std::vector<slam::Pose3> T_map_laser;
@@ -26,22 +25,6 @@ std::vector<LegendEntry> Legend(const Scans& scans) {
   std::vector<LegendEntry> entries;
   for (std::size_t i = 0; i < scans.size(); ++i) entries.push_back({scans[i].name, CategoricalColor(i)});
   return entries;
-}
-
-/// Everything below the upper 15 % of the height: one looks into the rooms.
-HeightBand WithoutCeiling(const Scans& scans) {
-  const ValueRange heights = HeightRange(PositionsInMap(scans));
-  return {.max = heights.low + 0.85 * (heights.high - heights.low)};
-}
-
-Camera TopCamera(const Scans& frame) {
-  return Fitted(TopView({1600, 1200}), PositionsInMap(frame),
-                {.outlier_share = 0.002, .adjust_height = true});
-}
-
-Camera ObliqueCamera(const Scans& frame) {
-  return Fitted(ObliqueView(Eigen::Vector3d::Zero(), {.azimuth = kAzimuth, .elevation = kElevation}),
-                PositionsInMap(frame, WithoutCeiling(frame)), {.adjust_height = true});
 }
 
 }  // namespace

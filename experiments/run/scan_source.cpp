@@ -82,7 +82,7 @@ void ScanSource::OpenFolder(const InputOptions& options) {
     entries_.push_back({scan.name, i, poses ? poses->T_map_laser[i] : slam::Pose3{}, {}, scan.path});
   }
   format_ = list.format;
-  ReadTruth(ExpandDataPath(options.folder) / kTruth);
+  ReadTruth(list.folder / kTruth);
 }
 
 void ScanSource::ReadTruth(const std::filesystem::path& file) {

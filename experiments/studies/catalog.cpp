@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "experiments/studies/ablation_matching.h"
+#include "experiments/studies/fig_02.h"
 #include "experiments/studies/fig_03.h"
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
@@ -50,6 +51,7 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
                                RunTable1),
+      MakeStudy<Fig02Options>("fig_02", "a scan as images of its reflectance", RunFig02),
       MakeStudy<Fig03Options>("fig_03", "two scans before, during and after ICP", RunFig03),
       MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05),
       MakeStudy<Fig04Options>("fig_04", "scans of a corridor by each way of matching", RunFig04),
