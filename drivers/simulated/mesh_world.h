@@ -24,11 +24,11 @@ struct MeshOptions {
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
-    visit("scale", self.scale, Unit("1"), Range{1e-6, 1e6},
+    visit("scale", self.scale, Unit(""), Range{1e-6, 1e6},
           "makes metres of what is read: 0.001 for an STL in millimetres; COLLADA's own unit is honoured "
           "before");
     visit("up", self.up, "the axis that points up; file: what it says, z where it says nothing");
-    visit("reflectance", self.reflectance, Unit("1"), Range{0.0, 1.0},
+    visit("reflectance", self.reflectance, Unit(""), Range{0.0, 1.0},
           "of all surfaces: colours do not tell it at 905 nm");
     visit("floor", self.floor,
           "lay a floor at z = 0 under everything: models of buildings are often without");

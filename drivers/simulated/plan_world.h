@@ -26,7 +26,7 @@ struct PlanOptions {
           "wider openings at doors are narrowed to it; 0: as in the file");
     visit("furniture", self.furniture, Unit("1/m^2"), Range{0.0, 2.0},
           "pieces per square metre of room, at most; 0.15 is an office in use");
-    visit("seed", self.seed, Unit("1"), Range{0, 1e9}, "of the furniture's places and kinds");
+    visit("seed", self.seed, Unit(""), Range{0, 1e9}, "of the furniture's places and kinds");
   }
 };
 

@@ -30,7 +30,7 @@ struct BootstrapOptions {
     visit("confidence", self.confidence, Unit("share"), Range{0.5, 0.999}, "of the interval");
     visit("resamples", self.resamples, Unit("samples"), Range{100, 1e7},
           "the ends of the interval then move by some 2 % of its length from seed to seed");
-    visit("seed", self.seed, Unit("-"), Range{0, 9e15}, "of the resampling");
+    visit("seed", self.seed, Unit(""), Range{0, 9e15}, "of the resampling");
   }
 };
 

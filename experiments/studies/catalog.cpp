@@ -49,13 +49,14 @@ StudyResult RunRegisterStudy(const RegisterOptions& options, const RunDirectory&
 const std::vector<Study>& AllStudies() {
   static const std::vector<Study> kStudies{
       MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
+      MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot",
+                                 RunSimulate),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
                                RunTable1),
       MakeStudy<Fig02Options>("fig_02", "a scan as images of its reflectance", RunFig02),
       MakeStudy<Fig03Options>("fig_03", "two scans before, during and after ICP", RunFig03),
-      MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05),
       MakeStudy<Fig04Options>("fig_04", "scans of a corridor by each way of matching", RunFig04),
-      MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot", RunSimulate),
+      MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
                                          RunAblationMatching)};

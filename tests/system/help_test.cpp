@@ -52,7 +52,9 @@ TEST_F(ConfigCommand, PrintsThatOfEachExperiment) {
   const Ended unknown = Ariadne("config table_2");
   EXPECT_EQ(unknown.status, 1);
   EXPECT_EQ(unknown.err,
-            "ariadne: there is no experiment 'table_2'; there are register, table_1, fig_03, fig_05\n");
+            "ariadne: there is no experiment 'table_2'; there are register, simulate, table_1, fig_02, "
+            "fig_03, fig_04, fig_05, "
+            "ablation_matching\n");
 }
 
 }  // namespace

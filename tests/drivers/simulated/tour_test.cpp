@@ -58,7 +58,8 @@ TEST(DriveTour, StopsWhereItShouldAndLooksAhead) {
     EXPECT_LT((stops[i].T_map_base_true.translation - goals[i]).norm(), 0.03) << i;
     const double heading = i <= 3 ? 0.0 : std::numbers::pi / 2.0;
     EXPECT_NEAR(slam::WrapAngle(stops[i].T_map_base_true.angle - heading), 0.0, 0.05) << i;
-    if (i > 0) EXPECT_GT(stops[i].time, stops[i - 1].time + 3.4) << "each stop lasts as long as a scan";
+    if (i == 0) continue;
+    EXPECT_GT(stops[i].time, stops[i - 1].time + 3.4) << "each stop lasts as long as a scan";
   }
 }
 
@@ -78,7 +79,7 @@ TEST(DriveTour, SaysWhereTheWorldIsInTheWay) {
   World world = RoomFor(kCorner);
   world.bodies.push_back(BoxBody("wall", {1.5, -2.0, 0.0}, {1.6, 6.0, 2.7}));
   SimulatedBase base(world, {}, 1);
-  EXPECT_THAT(ErrorOf([&] { DriveTour(base, kCorner, 3.4); }), HasSubstr("the tour is blocked at (1.0"));
+  EXPECT_THAT(ErrorOf([&] { DriveTour(base, kCorner, 3.4); }), HasSubstr("the tour is blocked at (1.1"));
 }
 
 }  // namespace

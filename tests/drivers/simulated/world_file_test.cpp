@@ -206,7 +206,7 @@ TEST_P(Builtin, HasFloorAndCeilingAtTheStart) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, Builtin, testing::Values("robobench", "entrance_hall"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& world) { return world.param; });
 
 TEST(Robobench, LetsTheRobotDownTheCorridor) {
   const World world = LoadWorld("builtin:robobench");

@@ -36,8 +36,8 @@ TEST(RenderWorld, IsDarkWhereItCutsASolidOpen) {
 
 TEST(RenderWorld, LooksIntoARoomWithoutItsCeiling) {
   drivers::World world = drivers::EmptyRoom({-2.0, -2.0, 0.0}, {2.0, 2.0, 2.7});
-  world.bodies[0].mesh_body =
-      drivers::MakeBox(slam::Box3({-2.0, -2.0, -0.1}, {2.0, 2.0, 0.0}));  // its floor
+  const Eigen::Vector3d lowest(-2.0, -2.0, -0.1), highest(2.0, 2.0, 0.0);  // of its floor
+  world.bodies[0].mesh_body = drivers::MakeBox(slam::Box3(lowest, highest));
   const drivers::RayScene scene(std::move(world));
   const Image image =
       RenderWorld(scene, FromAbove(), {.cut_height = 1.0, .background = kBlack}, Parallel(1));

@@ -1,4 +1,5 @@
 #include "experiments/run/scan_source.h"
+#include "experiments/run/data_path.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
