@@ -28,8 +28,8 @@ struct SafetySweep {
 };
 
 /// The one seam between the algorithms and any robot: simulated, real, emulated or replayed. Time is the
-/// robot's own; nothing else of the program looks at a clock. Each call throws an Error with a sentence that
-/// says what to do when the robot cannot do it; the wheels stand then.
+/// robot's own; nothing else of the program looks at a clock. Each call throws an Error with a sentence
+/// that says what to do when the robot cannot do it; the wheels stand then.
 class Robot {
  public:
   virtual ~Robot() = default;
@@ -40,7 +40,8 @@ class Robot {
   /// Where the 3D scanner sits on the base.
   virtual slam::Pose3 T_base_laser() const = 0;
 
-  /// Takes a 3D scan, standing: stops the wheels first. Repeats it where the scene moved meanwhile (Sec. 3.4).
+  /// Takes a 3D scan, standing: stops the wheels first. Repeats it where the scene moved meanwhile
+  /// (Sec. 3.4).
   virtual slam::Scan TakeScan() = 0;
 
   /// One sweep of the 3D scanner in horizontal mode (Sec. 5.3), now, also while driving.

@@ -77,8 +77,8 @@ RegisterSummary RunRegister(const RegisterOptions& options, const RunDirectory& 
 
   const Stopwatch writing;
   WriteRegisterOutput(options, source, state.log, run, progress);
-  RegisterSummary summary = ReportRegistration(
-      options, source, state.mapper, state.log, state.timing.at("match_s").get<std::vector<double>>(), run);
+  RegisterSummary summary = ReportRegistration(options, source, state.mapper, state.log,
+                                               state.timing.at("match_s").get<std::vector<double>>(), run);
   state.timing["write_s"] = writing.Seconds();
   run.WriteJson("timing.json", state.timing);
   std::filesystem::remove(run.path() / kCheckpoint);
