@@ -130,6 +130,20 @@ def garage(values, experiments):
         copy_map(runs["simultaneous"] / "figures" / f"top_{when}.png", BUILD / f"garage_{when}.png")
 
 
+def corridor(values, experiments):
+    say("the simulated corridor: Fig. 2, Fig. 4, matching over many tours (takes a quarter of an hour)")
+    fig_02 = experiments.run("fig_02")
+    for name in ("distorted", "corrected"):
+        shutil.copyfile(fig_02 / "figures" / f"{name}.png", BUILD / f"fig_02_{name}.png")
+    fig_04 = experiments.run("fig_04")
+    shutil.copyfile(fig_04 / "figures" / "fig_04.png", BUILD / "fig_04.png")
+    stacked_parts(values, "fig_04", 4, gap=24)
+    v.add_options(values, "fig4", fig_04)
+    levels = v.add_matching(values, experiments.run("ablation_matching"))
+    (BUILD / "table_matching.tex").write_text(
+        tables.matching(levels, v.MATCHING_METHODS, v.MATCHING_MEASURES.values()))
+
+
 def copy_fig_05(run, name):
     """Copies the picture of a run, for a smaller print; returns the run."""
     png.write(BUILD / f"{name}.png", png.bolder(png.read(run / "figures" / "reduced_and_all.png")))
@@ -223,6 +237,7 @@ def main():
             else:
                 say(f"no data sets in {data}: the paper says so in place of their results (set ARIADNE_DATA)")
             office_truth(values, experiments)
+            corridor(values, experiments)
         finally:
             experiments.save_records()
     except RunError as error:

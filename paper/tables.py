@@ -108,3 +108,12 @@ def options():
         both("location changed by", "registration.moved_translation", r"\,m"),
         both("or by", "registration.moved_rotation", r"\,rad"),
         both("alignments per scan, up to", "registration.max_pops", "")]])
+
+
+def matching(levels, methods, measures):
+    def cell(key):
+        return rf"{val(key)} {{\scriptsize {val(key + '.interval')}}}"
+    groups = [[[level if i == 0 else "", method, *(cell(f"matching.{level}.{method}.{m}") for m in measures)]
+               for i, method in enumerate(methods)] for level in levels]
+    head = [r"noise & method & position [cm] & rotation [deg] & map error [cm] & median wall [cm] & worst wall [cm] \\"]
+    return tabular("@{}ll" + "r" * len(measures) + "@{}", head, groups)

@@ -312,3 +312,34 @@ def add_covariance(values, metric, runs):
     values.set(key + ".sigma.deg", digits(sigma_deg, 2))
     values.set(key + ".ratio.cm", digits(error_cm / sigma_cm, 2))
     values.set(key + ".ratio.deg", digits(error_deg / sigma_deg, 2))
+
+
+# --- matching over simulated tours
+
+MATCHING_METHODS = ("odometry", "pairwise", "metascan", "simultaneous", "truth")
+MATCHING_MEASURES = {"position cm": "position", "rotation deg": "rotation", "map error cm": "map", "wall cm": "wall",
+                     "worst wall cm": "worst"}
+
+
+def add_matching(values, run):
+    """Medians with their intervals, paired differences; returns the levels of noise."""
+    levels = []
+    for row in read_csv(run / "medians.csv"):
+        if row["noise"] not in levels:
+            levels.append(row["noise"])
+        for column, name in MATCHING_MEASURES.items():
+            key = f"matching.{row['noise']}.{row['method']}.{name}"
+            estimate, interval = row[column].split(" ", 1)
+            values.set(key, estimate)
+            values.set(key + ".interval", interval)
+    for row in read_csv(run / "paired.csv"):
+        key = f"matching.{row['noise']}.{row['method']}.{MATCHING_MEASURES[row['measure']]}"
+        values.set(key + ".difference", row["median difference"])
+        values.set(key + ".p", row["p (Holm)"])
+    for method, timing in read_json(run / "timing.json").items():
+        values.set(f"matching.{method}.time", duration(timing["median_s"]))
+    trials = read_csv(run / "trials.csv")
+    values.set("matching.seeds", len({row["seed"] for row in trials}))
+    values.set("matching.unregistered", sum(20 - int(row["registered"]) for row in trials
+                                            if row["method"] in ("pairwise", "metascan", "simultaneous")))
+    return levels

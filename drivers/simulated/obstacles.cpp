@@ -65,7 +65,7 @@ void Obstacles::FillGrid() {
     const Cells cells = CellsAround(standing_[i].outline_map.corners());
     for (int y = cells.from.y(); y <= cells.to.y(); ++y) {
       for (int x = cells.from.x(); x <= cells.to.x(); ++x) {
-        grid_[static_cast<std::size_t>(y * grid_size_.x() + x)].push_back(i);
+        grid_[CellAt(x, y)].push_back(i);
       }
     }
   }
@@ -110,7 +110,7 @@ Contact Obstacles::TouchStanding(const slam::Pose2& T_map_base) const {
   const Cells cells = CellsAround(corners);
   for (int y = cells.from.y(); y <= cells.to.y(); ++y) {
     for (int x = cells.from.x(); x <= cells.to.x(); ++x) {
-      for (const std::uint32_t i : grid_[static_cast<std::size_t>(y * grid_size_.x() + x)]) {
+      for (const std::uint32_t i : grid_[CellAt(x, y)]) {
         const Standing& part = standing_[i];
         Deepen(deepest, OverlapDepth(part.outline_map, T_map_base, half_size_), part.body);
       }

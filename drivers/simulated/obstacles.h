@@ -69,6 +69,10 @@ class Obstacles {
   void AddMoving(std::uint32_t body);
   void FillGrid();
   Cells CellsAround(std::span<const Eigen::Vector2d> points) const;
+  std::size_t CellAt(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(grid_size_.x()) +
+           static_cast<std::size_t>(x);
+  }
   Contact TouchStanding(const slam::Pose2& T_map_base) const;
   double TouchMoving(const Moving& moving, const slam::Pose2& T_map_base, double time) const;
   Eigen::Vector2d Middle(const Moving& moving, double time) const;

@@ -37,7 +37,8 @@ Index AddRing(TriangleMesh& mesh, const ProfilePoint& p, int sides) {
 }  // namespace
 
 TriangleMesh MakeBox(const slam::Box3& box) {
-  const Vector3d low = box.min(), high = box.max();
+  const Vector3d& low = box.min();
+  const Vector3d& high = box.max();
   return MakePrism({{low.x(), low.y()}, {high.x(), low.y()}, {high.x(), high.y()}, {low.x(), high.y()}},
                    low.z(), high.z());
 }

@@ -59,7 +59,7 @@ void DriveTo(SimulatedBase& base, const Eigen::Vector2d& goal_map) {
 }
 
 TourStop StopHere(SimulatedBase& base, double pause) {
-  const TourStop stop{base.Now(), base.T_map_base_true(), base.State().odometry};
+  TourStop stop{base.Now(), base.T_map_base_true(), base.State().odometry};
   base.WaitUntil(base.Now() + pause);
   return stop;
 }
