@@ -36,8 +36,8 @@ std::string NearestName(std::string_view name, const std::vector<std::string>& n
   return nearest == names.end() ? "" : *nearest;
 }
 
-YamlFields::YamlFields(YAML::Node node, std::string file, const std::string& what)
-    : node_(std::move(node)), file_(std::move(file)) {
+YamlFields::YamlFields(const YAML::Node& node, std::string file, const std::string& what)
+    : node_(node), file_(std::move(file)) {
   if (!node_.IsMap()) Fail("{}: {} is a map of keys to values", Where(), what);
   std::set<std::string> seen;
   for (const auto& pair : node_) {

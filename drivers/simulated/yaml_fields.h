@@ -15,7 +15,7 @@ namespace ariadne::drivers {
 /// of its range, repeated or left over is an Error with file and line.
 class YamlFields {
  public:
-  YamlFields(YAML::Node node, std::string file, const std::string& what);
+  YamlFields(const YAML::Node& node, std::string file, const std::string& what);
 
   /// "file:line"
   std::string Where() const { return WhereIs(node_); }

@@ -107,7 +107,7 @@ std::string RunAblationMatching(const AblationMatchingOptions& options, const Ru
     }
     WriteCheckpoint(trials, run);
   }
-  const std::string text = Report(options, trials, run);
+  std::string text = Report(options, trials, run);
   std::filesystem::remove(run.path() / kCheckpoint);
   FinishRun(run, "Ways of matching many scans, on simulated tours", tours);
   return text;
