@@ -12,7 +12,7 @@ namespace ariadne::experiments {
 /// Scans of a robot that is driven through a building that is known exactly.
 struct TourOptions {
   std::string world = "builtin:robobench";
-  std::string waypoints = "1.5 0, 34.2 0";
+  std::string waypoints = "1.5 -0.08, 34.2 -0.08";
   double spacing = 1.7;
   int scans = 20;
   double odometry_noise = 1.0;
@@ -26,7 +26,10 @@ struct TourOptions {
     visit("world", self.world,
           "builtin:robobench, builtin:entrance_hall, a description (.yaml), a floor plan "
           "(.json) or a mesh; $ARIADNE_DATA stands for the environment's");
-    visit("waypoints", self.waypoints, "of the way: x y, x y, ... [m]; the first stop is at the first");
+    visit("waypoints", self.waypoints,
+          "of the way: x y, x y, ... [m]; the first stop is at the first; the default goes down the "
+          "corridor, a "
+          "little to the right of its middle, clear of the jutting table");
     visit("spacing", self.spacing, Unit("m"), Range{0.01, 100.0},
           "between stops along the way; 20 of 1.7 m are the corridor of Fig. 4");
     visit("scans", self.scans, Unit(""), Range{1, 100000}, "at most; Fig. 4 has 20");
