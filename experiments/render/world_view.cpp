@@ -39,7 +39,7 @@ std::optional<drivers::Ray> Below(drivers::Ray ray, double cut_height) {
   return ray;
 }
 
-/// Whether the ray meets a surface from the inside of its body: then it began in what the cut has opened.
+/// Whether the ray meets a surface from the inside of its body.
 bool FromInside(const drivers::World& world, const drivers::Ray& ray, const drivers::Hit& hit) {
   const drivers::Body& body = world.bodies[hit.body];
   const auto& [a, b, c] = body.mesh_body.triangles[hit.triangle];
@@ -48,10 +48,19 @@ bool FromInside(const drivers::World& world, const drivers::Ray& ray, const driv
   return (drivers::PoseAt(body.motion, ray.time).rotation * outward_body).dot(ray.direction_map) > 0.0;
 }
 
+/// Whether the ray begins in something solid, which the cut has opened. Asked sideways, not along the ray:
+/// walls stand on floors and carry ceilings, and which of two surfaces in one place is met first is left to
+/// chance.
+bool BeginsInside(const drivers::RayScene& scene, const drivers::Ray& ray) {
+  const drivers::Ray sideways{ray.origin_map, Eigen::Vector3d(0.80, 0.59, 0.11).normalized(), ray.time};
+  const drivers::Hit hit = scene.Cast(sideways);
+  return hit.hit() && FromInside(scene.world(), sideways, hit);
+}
+
 Rgb ColorOf(const drivers::RayScene& scene, const drivers::Ray& ray, bool was_cut, const drivers::Hit& hit,
             const WorldViewOptions& options) {
   if (!hit.hit()) return options.background;
-  if (was_cut && FromInside(scene.world(), ray, hit)) return options.cut;
+  if (was_cut && BeginsInside(scene, ray)) return options.cut;
   const double height = (ray.origin_map + hit.distance * ray.direction_map).z();
   const Rgb color = options.color_by_height ? ColorAt(ColorMap::kShore, options.heights.Share(height))
                                             : ColorAt(ColorMap::kGray, std::sqrt(hit.reflectance));

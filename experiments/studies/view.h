@@ -17,7 +17,7 @@ struct ViewOptions {
   ViewFrom from = ViewFrom::kOblique;
   ViewColor color = ViewColor::kHeight;
   int scan = 0;
-  double cut_height = 2.0;
+  double cut_height = 1.9;
   int width = 1600;
   drivers::WorldOptions geometry;
 
@@ -26,7 +26,8 @@ struct ViewOptions {
     visit("from", self.from, "above (to scale), at an angle, or as one of the scanners looked ahead");
     visit("color", self.color, "of points: by scan, height, reflectance or distance from the true surface");
     visit("scan", self.scan, Unit(""), Range{0, 1e9}, "whose scanner, with from=scanner");
-    visit("cut_height", self.cut_height, Unit("m"), Range{-1e3, 1e3}, "at which worlds are cut open");
+    visit("cut_height", self.cut_height, Unit("m"), Range{-1e3, 1e3},
+          "at which worlds are cut open; below the lintels of doors");
     visit("width", self.width, Unit("px"), Range{64, 16384}, "of the picture");
     visit("geometry", self.geometry, "what floor plans and meshes leave open");
   }
