@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "slam/reduce/reduce.h"
-#include "slam/registration/match.h"
-#include "slam/registration/match_options.h"
+#include "slam/matching/match.h"
+#include "slam/matching/match_options.h"
 #include "slam/scan/point_cloud.h"
 
 namespace ariadne::slam {

@@ -20,6 +20,16 @@ find_package(embree 3.13 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(GTest REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
+find_package(OpenMP REQUIRED)  # only to keep CHOLMOD from starting threads of its own
+find_package(Ceres 2.1 REQUIRED)
+
+find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
+find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
+add_library(suitesparse_cholmod INTERFACE)
+target_include_directories(suitesparse_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
+target_link_libraries(suitesparse_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+
+find_path(SPECTRA_INCLUDE Spectra/SymEigsSolver.h REQUIRED)  # headers
 
 # Options that every translation unit shares.
 add_library(ariadne_flags INTERFACE)

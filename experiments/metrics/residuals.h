@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "slam/base/parallel.h"
-#include "slam/registration/map_scan.h"
+#include "slam/matching/map_scan.h"
 
 namespace ariadne::experiments {
 

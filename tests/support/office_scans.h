@@ -6,7 +6,7 @@
 #include "drivers/simulated/box_world_scan.h"
 #include "slam/geometry/angles.h"
 #include "slam/reduce/reduce.h"
-#include "slam/registration/map_scan.h"
+#include "slam/matching/map_scan.h"
 #include "tests/support/random_geometry.h"
 
 /// Coarse scans of the simulated office, for tests that match many.

@@ -6,14 +6,13 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <iterator>
 #include <sstream>
 #include <string>
 #include <string_view>
 
-#include "slam/base/error.h"
 #include "slam/scan/point_cloud.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::slam::testing_support {
 
@@ -49,16 +48,7 @@ inline std::string ContentOf(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// The sentence of the Error that an action throws; the test fails where it throws none.
-inline std::string ErrorOf(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  ADD_FAILURE() << "no Error was thrown";
-  return "";
-}
+using ariadne::ErrorOf;
 
 /// With CRLF instead of LF.
 inline std::string WithWindowsLines(const std::string& text) {

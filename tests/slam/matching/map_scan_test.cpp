@@ -1,4 +1,4 @@
-#include "slam/registration/map_scan.h"
+#include "slam/matching/map_scan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

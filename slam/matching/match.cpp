@@ -1,4 +1,4 @@
-#include "slam/registration/match.h"
+#include "slam/matching/match.h"
 
 #include <fmt/format.h>
 

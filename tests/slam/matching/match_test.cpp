@@ -1,5 +1,5 @@
 // Matching of many scans by each of the three methods (Sec. 3.2), on the tour of the simulated office.
-#include "slam/registration/match.h"
+#include "slam/matching/match.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/slam/geometry/pose_samples.h"
-#include "tests/slam/registration/match_tour.h"
+#include "tests/slam/matching/match_tour.h"
 
 namespace ariadne::slam {
 namespace {

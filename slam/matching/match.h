@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "slam/registration/align.h"
-#include "slam/registration/map_scan.h"
-#include "slam/registration/match_options.h"
+#include "slam/matching/map_scan.h"
+#include "slam/matching/match_options.h"
 
 namespace ariadne::slam {
 

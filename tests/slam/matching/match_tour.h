@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "slam/registration/match.h"
+#include "slam/matching/match.h"
 #include "tests/support/office_scans.h"
 
 namespace ariadne::slam {

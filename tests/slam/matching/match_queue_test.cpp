@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tests/slam/geometry/pose_samples.h"
-#include "tests/slam/registration/match_tour.h"
+#include "tests/slam/matching/match_tour.h"
 
 namespace ariadne::slam {
 namespace {
