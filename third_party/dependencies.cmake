@@ -20,7 +20,7 @@ find_package(embree 3.13 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(GTest REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
-find_package(OpenMP REQUIRED)  # only to keep CHOLMOD from starting threads of its own
+find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp REQUIRED)  # only to keep CHOLMOD from starting threads
 find_package(Ceres 2.1 REQUIRED)
 
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)

@@ -1,6 +1,11 @@
 #include "slam/base/single_threaded_openmp.h"
 
-#include <omp.h>
+// Of the OpenMP runtime that CHOLMOD runs on. Not <omp.h>: that comes with -fopenmp, with which Eigen
+// starts threads as well.
+extern "C" {
+int omp_get_max_active_levels();
+void omp_set_max_active_levels(int levels);
+}
 
 namespace ariadne {
 
