@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "slam/graph/optimize/options.h"
+#include "slam/graph/graph_options.h"
 #include "slam/graph/pose_graph.h"
 
 namespace ariadne::slam {
