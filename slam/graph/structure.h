@@ -18,8 +18,9 @@ void CheckGraph(const PoseGraph<Pose>& graph);
 template <typename Pose>
 std::vector<std::size_t> IndefiniteEdges(const PoseGraph<Pose>& graph);
 
-/// Sets all poses from the first fixed node (else the first node) along the measurements: first over edges
-/// between successive nodes, then over the others, breadth first. For graphs whose file has no vertices.
+/// Sets the poses from the fixed nodes (else the first node) along the measurements, breadth first; other
+/// edges than those between successive nodes are only taken where these lead no further. For graphs whose
+/// file has no vertices.
 template <typename Pose>
 void PlaceAlongEdges(PoseGraph<Pose>& graph);
 
