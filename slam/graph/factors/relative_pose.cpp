@@ -1,0 +1,89 @@
+#include "slam/graph/factors/relative_pose.h"
+
+#include <ceres/sized_cost_function.h>
+
+#include "slam/graph/factors/linearize_error.h"
+#include "slam/graph/factors/pose_block.h"
+
+namespace ariadne::slam {
+namespace {
+
+/// Writes U times the derivative by a tangent as the Jacobian by the pose's block (PoseManifold).
+template <typename Pose>
+void WriteJacobian(const typename Pose::Square& derivative, double* jacobian) {
+  constexpr int kColumns = kBlockSize<Pose>;
+  if (jacobian == nullptr) return;
+  Eigen::Map<Eigen::Matrix<double, Pose::kDof, kColumns, Eigen::RowMajor>> rows(jacobian);
+  rows.template leftCols<Pose::kDof>() = derivative;
+  rows.template rightCols<kColumns - Pose::kDof>().setZero();
+}
+
+template <typename Pose>
+class RelativePoseFactor final
+    : public ceres::SizedCostFunction<Pose::kDof, kBlockSize<Pose>, kBlockSize<Pose>> {
+ public:
+  RelativePoseFactor(const PoseEdge<Pose>& edge, RotationError rotation_error)
+      : T_from_to_(edge.T_from_to),
+        root_(RootOfInformation<Pose>(edge.information)),
+        rotation_error_(rotation_error) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const LinearizedError<Pose> linearized = LinearizeError(
+        T_from_to_, FromBlock<Pose>(parameters[0]), FromBlock<Pose>(parameters[1]), rotation_error_);
+    Eigen::Map<typename Pose::Tangent>(residuals).noalias() = root_ * linearized.error;
+    if (jacobians == nullptr) return true;
+    WriteJacobian<Pose>(root_ * linearized.by_from, jacobians[0]);
+    WriteJacobian<Pose>(root_ * linearized.by_to, jacobians[1]);
+    return true;
+  }
+
+ private:
+  Pose T_from_to_;
+  typename Pose::Square root_;
+  RotationError rotation_error_;
+};
+
+template <typename Pose>
+class PriorFactor final : public ceres::SizedCostFunction<Pose::kDof, kBlockSize<Pose>> {
+ public:
+  PriorFactor(const PosePrior<Pose>& prior, RotationError rotation_error)
+      : T_map_node_(prior.T_map_node),
+        root_(RootOfInformation<Pose>(prior.information)),
+        rotation_error_(rotation_error) {}
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const Pose T_map_node = FromBlock<Pose>(parameters[0]);
+    const LinearizedError<Pose> linearized =
+        LinearizeError(T_map_node_, Pose(), T_map_node, rotation_error_);
+    Eigen::Map<typename Pose::Tangent>(residuals).noalias() = root_ * linearized.error;
+    if (jacobians != nullptr) WriteJacobian<Pose>(root_ * linearized.by_to, jacobians[0]);
+    return true;
+  }
+
+ private:
+  Pose T_map_node_;
+  typename Pose::Square root_;
+  RotationError rotation_error_;
+};
+
+}  // namespace
+
+template <typename Pose>
+std::unique_ptr<ceres::CostFunction> MakeRelativePoseFactor(const PoseEdge<Pose>& edge,
+                                                            RotationError rotation_error) {
+  return std::make_unique<RelativePoseFactor<Pose>>(edge, rotation_error);
+}
+
+template <typename Pose>
+std::unique_ptr<ceres::CostFunction> MakePriorFactor(const PosePrior<Pose>& prior,
+                                                     RotationError rotation_error) {
+  return std::make_unique<PriorFactor<Pose>>(prior, rotation_error);
+}
+
+using Factor = std::unique_ptr<ceres::CostFunction>;
+template Factor MakeRelativePoseFactor(const PoseEdge<Pose2>&, RotationError);
+template Factor MakeRelativePoseFactor(const PoseEdge<Pose3>&, RotationError);
+template Factor MakePriorFactor(const PosePrior<Pose2>&, RotationError);
+template Factor MakePriorFactor(const PosePrior<Pose3>&, RotationError);
+
+}  // namespace ariadne::slam
