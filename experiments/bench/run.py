@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated"]
+PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated", "bench_graph"]
 REPETITIONS = 5
 
 # (what, numerator, denominator, goal)
@@ -44,6 +44,22 @@ RATIOS = [
     ("Open3D voxel grid / voxel_mean", "reduce/voxel_mean_open3d/all", "reduce/voxel_mean/all", None),
 ]
 
+GRAPHS = ["sphere2500", "torus3D", "cubicle", "parking-garage", "smallGrid3D", "kitti_00", "intel", "MIT", "manhattan"]
+RATIOS += [(f"{what} / own, {graph}", f"graph/{graph}/{peer}", f"graph/{graph}/ariadne", 1.0)
+           for what, peer in [("Ceres tuned", "ceres_suite_sparse"), ("Ceres tuned, EIGEN_SPARSE", "ceres_eigen"),
+                              ("Ceres tuned, CX_SPARSE", "ceres_cxsparse"),
+                              ("Ceres tuned but for the radius", "ceres_default_radius"),
+                              ("Ceres as in tutorials", "ceres_stock")]
+           for graph in GRAPHS]
+
+# (what, numerator, denominator, what it may be at most)
+LIMITS = [(f"whole optimization / its factorizations alone, {graph}", f"graph/{graph}/ariadne", f"graph/{graph}/floor",
+           1.4) for graph in GRAPHS]
+LIMITS += [(f"certificate / optimization, {graph}", f"graph/{graph}/certificate", f"graph/{graph}/ariadne", 2.0)
+           for graph in GRAPHS]
+LIMITS += [(f"{kind} factor of 100000 pairs / of 10", f"factor/{kind}/pairs:100000", f"factor/{kind}/pairs:10", 1.2)
+           for kind in ["point", "plane"]]
+
 # (what, benchmark, goal); how many in a second
 RATES = [
     ("simulated AIS scans of 181 x 256 points with all noise, 1 thread", "simulated/scan/threads:1", None),
@@ -72,20 +88,26 @@ def print_medians(medians):
     for name, b in medians.items():
         rate = f"  {b['bytes_per_second'] / 1e6:8.0f} MB/s" if "bytes_per_second" in b else ""
         iterations = f"  {b['icp_iterations']:.0f} iterations" if "icp_iterations" in b else ""
-        print(f"{b['real_time']:9.3f} {b['time_unit']}  {name}{rate}{iterations}")
+        steps = f"  {b['factorizations']:.0f} factorizations" if "factorizations" in b else ""
+        print(f"{b['real_time']:9.3f} {b['time_unit']}  {name}{rate}{iterations}{steps}")
+
+
+def nanoseconds(benchmark):
+    return benchmark["real_time"] * {"ns": 1.0, "us": 1e3, "ms": 1e6, "s": 1e9}[benchmark["time_unit"]]
 
 
 def print_ratios(medians):
     """Returns how many goals are missed."""
     print(f"\n{'ratio':>8}  {'goal':>6}  what")
     missed = 0
-    for what, numerator, denominator, goal in RATIOS:
-        if numerator not in medians or denominator not in medians:
-            continue
-        ratio = medians[numerator]["real_time"] / medians[denominator]["real_time"]
-        mark = "" if goal is None or ratio >= goal else "  MISSED"
-        missed += bool(mark)
-        print(f"{ratio:8.2f}  {'' if goal is None else f'>= {goal}':>6}  {what}{mark}")
+    for sign, rows in [(">=", RATIOS), ("<=", LIMITS)]:
+        for what, numerator, denominator, goal in rows:
+            if numerator not in medians or denominator not in medians:
+                continue
+            ratio = nanoseconds(medians[numerator]) / nanoseconds(medians[denominator])
+            reached = goal is None or (ratio >= goal if sign == ">=" else ratio <= goal)
+            missed += not reached
+            print(f"{ratio:8.2f}  {'' if goal is None else f'{sign} {goal}':>6}  {what}{'' if reached else '  MISSED'}")
     return missed
 
 
@@ -107,7 +129,7 @@ def main():
     folder = sys.argv[1]
     name_filter = (sys.argv[2] if len(sys.argv) > 2 else "") or "."
     print(f"load before: {os.getloadavg()[0]:.2f}")
-    medians, data, world = {}, "?", "?"
+    medians, data, world, graphs = {}, "?", "?", "?"
     for name in PROGRAMS:
         program = os.path.join(folder, name)
         if not os.path.exists(program):
@@ -118,7 +140,8 @@ def main():
         medians.update(found)
         data = context.get("data", data)
         world = context.get("world", world)
-    print(f"data: {data}; world: {world}; medians of {REPETITIONS} repetitions; load after: {os.getloadavg()[0]:.2f}")
+        graphs = context.get("graphs", graphs)
+    print(f"data: {data}; world: {world}; graphs: {graphs}; medians of {REPETITIONS} repetitions; load after: {os.getloadavg()[0]:.2f}")
     print_medians(medians)
     print_ratios(medians)
     print_rates(medians)
