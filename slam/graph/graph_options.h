@@ -35,7 +35,7 @@ struct GraphOptions {
   double robust_confidence = 0.99;
   double switch_weight = 1.0;
   int max_iterations = 100;
-  double convergence = 1e-10;
+  double convergence = 1e-6;
   int threads = 1;
 
   template <typename Self, typename Visitor>
@@ -51,7 +51,9 @@ struct GraphOptions {
           "of switchable: how much it costs to turn an edge off");
     visit("max_iterations", self.max_iterations, Unit(""), Range{1, 100000}, "of each descent");
     visit("convergence", self.convergence, Unit(""), Range{0.0, 1.0},
-          "ends when a step promises to lower the objective by a smaller share");
+          "ends with the step that promises to lower the objective by a smaller share; what then remains "
+          "to gain is "
+          "far less, as convergence is quadratic");
     visit("threads", self.threads, Unit(""), Range{1, 1024}, "the result does not depend on it");
   }
 };

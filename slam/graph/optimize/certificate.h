@@ -23,7 +23,8 @@ struct Certificate {
 /// matrix is positive semidefinite exactly if they are (Rosen et al., SE-Sync, 2019, Theorem 7, whose
 /// converse holds for moderate noise only: "not certified" is no proof of the contrary). `graph` is
 /// isotropic, has no priors and at most one fixed node.
-/// A graph counts as optimal if the gap is below `max_relative_gap`.
+/// A graph counts as optimal if the gap is below `max_relative_gap`. Where the poses are not settled well
+/// enough for that, the bound is taken from a copy of them that is.
 template <typename Pose>
 Certificate Certify(const PoseGraph<Pose>& graph, double max_relative_gap = 1e-6);
 

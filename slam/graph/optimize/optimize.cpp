@@ -1,0 +1,80 @@
+#include "slam/graph/optimize/optimize.h"
+
+#include <array>
+
+#include "slam/base/stopwatch.h"
+#include "slam/graph/kernels.h"
+#include "slam/graph/optimize/chordal.h"
+#include "slam/graph/optimize/descend.h"
+#include "slam/graph/optimize/gnc.h"
+#include "slam/graph/structure.h"
+
+namespace ariadne::slam {
+namespace {
+
+constexpr const char* kSection = "graph.";  // of the options, in messages
+
+template <typename Pose>
+void Start(PoseGraph<Pose>& graph, const GraphVariables& variables, GraphStart start) {
+  if (start == GraphStart::kChordal) InitializeByChords(graph, variables);
+  if (start == GraphStart::kOdometry) PlaceAlongEdges(graph);
+}
+
+template <typename Pose>
+void Keep(OptimizeResult<Pose>& result, DescentOutcome outcome) {
+  result.status = outcome.status;
+  result.message = std::move(outcome.message);
+  result.iterations = std::move(outcome.iterations);
+}
+
+/// What the kernel leaves of each edge, at the end.
+template <typename Pose>
+std::vector<double> FinalWeights(const PoseGraph<Pose>& graph, const EdgeWeighting& weighting) {
+  std::vector<double> weights;
+  for (std::size_t k = 0; k < graph.edges.size(); ++k)
+    weights.push_back(weighting(graph, k, SquaredError(graph, graph.edges[k])).slope);
+  return weights;
+}
+
+}  // namespace
+
+std::string_view Name(GraphStatus status) {
+  constexpr std::array<std::string_view, 3> kNames{"converged", "iteration limit", "failed"};
+  return kNames[static_cast<std::size_t>(status)];
+}
+
+template <typename Pose>
+OptimizeResult<Pose> Optimize(PoseGraph<Pose> graph, const GraphOptions& options,
+                              const std::function<void(const GraphIteration&)>& on_iteration) {
+  CheckOptions(options, kSection);
+  const Stopwatch total;
+  CheckGraph(graph);
+  OptimizeResult<Pose> result;
+  result.objective_guess = Objective(graph);
+  Descent<Pose> descent(graph, result.times);
+  const Stopwatch starting;
+  Start(graph, descent.variables(), options.start);
+  result.times.start = starting.Seconds();
+  result.objective_start = Objective(graph);
+
+  const EdgeWeighting weighting{options.robust, SquaredScale(options.robust_confidence, Pose::kDof), {}};
+  if (options.robust == GraphRobust::kGnc) {
+    GncOutcome outcome = DescendGraduated(graph, descent, weighting.squared_scale, options, on_iteration);
+    result.edge_weights = std::move(outcome.weights);
+    Keep(result, std::move(outcome.descent));
+  } else {
+    Keep(result, descent.Run(graph, weighting, options, on_iteration));
+    if (options.robust != GraphRobust::kNone) result.edge_weights = FinalWeights(graph, weighting);
+  }
+  result.objective = Objective(graph);
+  result.graph = std::move(graph);
+  result.times.total = total.Seconds();
+  return result;
+}
+
+template OptimizeResult<Pose2> Optimize(PoseGraph2, const GraphOptions&,
+                                        const std::function<void(const GraphIteration&)>&);
+template OptimizeResult<Pose3> Optimize(PoseGraph3, const GraphOptions&,
+                                        const std::function<void(const GraphIteration&)>&);
+
+}  // namespace ariadne::slam
