@@ -42,6 +42,7 @@ int Main(int argc, char** argv) {
       "Example:\n  ariadne register scans/ --out results/first\n\nariadne COMMAND --help tells more.");
   int status = 0;
   ariadne::experiments::AddRegisterCommand(app, status);
+  ariadne::experiments::AddOptimizeCommand(app, status);
   ariadne::experiments::AddRunCommand(app, status);
   ariadne::experiments::AddConvertCommand(app);
   ariadne::experiments::AddInfoCommand(app);

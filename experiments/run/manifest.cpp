@@ -1,6 +1,9 @@
 #include "experiments/run/manifest.h"
 
+#include <SuiteSparse_config.h>
 #include <ariadne_version.h>
+#include <ceres/version.h>
+#include <dlfcn.h>
 #include <openssl/evp.h>
 #include <png.h>
 #include <tbb/version.h>
@@ -26,8 +29,23 @@ std::string ProcessorName() {
   return "unknown";
 }
 
+/// The file that the calls of BLAS go to, which decides the speed of sparse factorizations and their last
+/// digits. Debian exchanges it behind one name, and several may be loaded, of which the first counts.
+std::string LoadedBlas() {
+  void* const dgemm = dlsym(RTLD_DEFAULT, "dgemm_");
+  Dl_info info{};
+  if (dgemm == nullptr || dladdr(dgemm, &info) == 0) return "none";
+  std::error_code ignored;  // then the name is all that is known
+  const std::filesystem::path file = std::filesystem::canonical(info.dli_fname, ignored);
+  return ignored ? info.dli_fname : file.string();
+}
+
 Json Libraries() {
   return {{"eigen", fmt::format("{}.{}.{}", EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},
+          {"ceres", CERES_VERSION_STRING},
+          {"suitesparse", fmt::format("{}.{}.{}", SUITESPARSE_MAIN_VERSION, SUITESPARSE_SUB_VERSION,
+                                      SUITESPARSE_SUBSUB_VERSION)},
+          {"blas", LoadedBlas()},
           {"nanoflann", fmt::format("{:x}", NANOFLANN_VERSION)},
           {"tbb", TBB_VERSION_STRING},
           {"fmt", FMT_VERSION},

@@ -9,6 +9,7 @@
 #include "experiments/studies/fig_03.h"
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
+#include "experiments/studies/optimize.h"
 #include "experiments/studies/register.h"
 #include "experiments/studies/simulate.h"
 #include "experiments/studies/table_1.h"
@@ -16,18 +17,16 @@
 namespace ariadne::experiments {
 namespace {
 
-/// A study from its options and the function that runs it.
-template <typename Options, typename Run>
-Study MakeStudy(const std::string& name, const std::string& summary, Run run) {
+/// A study from its options, the function that throws where its input is wrong, and the one that runs it.
+template <typename Options, typename Check, typename Run>
+Study MakeStudy(const std::string& name, const std::string& summary, Check check, Run run) {
   const auto config = [name](const Options& options) {
     return fmt::format("experiment: {}\n{}", name, WriteOptions(options));
   };
   Study study{name, summary, DescribeOptions<Options>, {}, {}, {}, {}};
   study.defaults = [config] { return config(Options()); };
   study.resolve = [config](const OptionEntries& entries) { return config(ReadOptions<Options>(entries)); };
-  study.check_input = [](const OptionEntries& entries) {
-    const ScanSource source(ReadOptions<Options>(entries).input);
-  };
+  study.check_input = [check](const OptionEntries& entries) { check(ReadOptions<Options>(entries)); };
   study.run = [config, run](const OptionEntries& entries, const RunDirectory& directory,
                             ProgressDisplay& progress) {
     const auto options = ReadOptions<Options>(entries);
@@ -37,6 +36,13 @@ Study MakeStudy(const std::string& name, const std::string& summary, Run run) {
   return study;
 }
 
+/// A study of scans.
+template <typename Options, typename Run>
+Study MakeStudy(const std::string& name, const std::string& summary, Run run) {
+  const auto check = [](const Options& options) { const ScanSource source(options.input); };
+  return MakeStudy<Options>(name, summary, check, run);
+}
+
 StudyResult RunRegisterStudy(const RegisterOptions& options, const RunDirectory& run,
                              ProgressDisplay& progress) {
   const RegisterSummary summary = RunRegister(options, run, progress);
@@ -44,11 +50,19 @@ StudyResult RunRegisterStudy(const RegisterOptions& options, const RunDirectory&
           summary.Problem()};
 }
 
+StudyResult RunOptimizeStudy(const OptimizeOptions& options, const RunDirectory& run,
+                             ProgressDisplay& progress) {
+  const OptimizeSummary summary = RunOptimize(options, run, progress);
+  return {summary.text, summary.problem};
+}
+
 }  // namespace
 
 const std::vector<Study>& AllStudies() {
   static const std::vector<Study> kStudies{
       MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
+      MakeStudy<OptimizeOptions>("optimize", "a pose graph into its best poses", CheckOptimizeInput,
+                                 RunOptimizeStudy),
       MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot",
                                  RunSimulate),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",

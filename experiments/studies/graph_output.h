@@ -1,0 +1,15 @@
+#pragma once
+
+#include "experiments/run/run_directory.h"
+#include "experiments/studies/optimize_options.h"
+#include "slam/graph/optimize/optimize.h"
+
+namespace ariadne::experiments {
+
+/// Writes what an optimization has made of a graph: the file's graph at the poses of the minimum, as .g2o
+/// and as a trajectory, the uncertainty of the poses if asked for, pictures, and what the files are.
+template <typename Pose>
+void WriteOptimizedGraph(const slam::PoseGraph<Pose>& guess, const slam::OptimizeResult<Pose>& minimum,
+                         const OptimizeOptions& options, const RunDirectory& run);
+
+}  // namespace ariadne::experiments
