@@ -4,14 +4,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "experiments/bench/factor_bench.h"
 #include "experiments/bench/stock_ceres.h"
 #include "slam/base/error.h"
-#include "slam/base/random.h"
 #include "slam/base/single_threaded_openmp.h"
-#include "slam/graph/factors/compressed_factors.h"
 #include "slam/graph/factors/optimize_with_ceres.h"
-#include "slam/graph/factors/pose_block.h"
 #include "slam/graph/isotropic.h"
+#include "slam/graph/optimize/certificate.h"
 #include "slam/graph/optimize/chordal.h"
 #include "slam/graph/optimize/normal_system.h"
 #include "slam/graph/optimize/optimize.h"
@@ -104,6 +103,18 @@ void Floor(benchmark::State& state, const PublicGraph& which) {
   });
 }
 
+/// The proof that the minimum is the global one.
+void Prove(benchmark::State& state, const PublicGraph& which) {
+  OnGraph(state, which, [](const auto& graph, benchmark::State& s) {
+    const auto result = slam::Optimize(graph, {});
+    for (auto _ : s) {
+      if (slam::Certify(result.graph).verdict != slam::CertificateVerdict::kOptimal)
+        s.SkipWithError("the minimum is not certified");
+    }
+    return result.objective;
+  });
+}
+
 void Ceres(benchmark::State& state, const PublicGraph& which, slam::CeresLibrary library, double radius) {
   OnGraph(state, which, [&](const auto& graph, benchmark::State& s) {
     slam::CeresTuning tuning;
@@ -131,65 +142,9 @@ void StockCeres(benchmark::State& state, const PublicGraph& which) {
   });
 }
 
-template <typename Moments>
-void AddPair(Moments& moments, RandomStream& stream) {
-  const auto draw = [&] {
-    return Eigen::Vector3d(DrawNormal(stream, 0, 5), DrawNormal(stream, 0, 5), 1.0);
-  };
-  const Eigen::Vector3d p = draw();
-  const Eigen::Vector3d noise = 0.01 * draw();
-  if constexpr (std::is_same_v<Moments, slam::PointMoments>) {
-    moments.Add(p, p + noise);
-  } else {
-    const Eigen::Vector3d normal = draw().normalized();
-    moments.Add(p, p + noise, normal * normal.transpose());
-  }
-}
-
-/// Residuals and Jacobians of the factor that stands for `pairs` point pairs.
-template <typename Moments>
-void EvaluateFactor(benchmark::State& state, std::size_t pairs) {
-  RandomStream stream = NamedStream(1, "graph_bench");
-  Moments moments;
-  for (std::size_t k = 0; k < pairs; ++k) AddPair(moments, stream);
-  const auto factor = [&] {
-    if constexpr (std::is_same_v<Moments, slam::PointMoments>)
-      return slam::MakePointFactor(moments);
-    else
-      return slam::MakePlaneFactor(moments);
-  }();
-  const auto block = slam::ToBlock(slam::Pose3());
-  const double* const parameters[] = {block.data(), block.data()};
-  double residuals[21], by_i[21 * 7], by_j[21 * 7];
-  double* jacobians[] = {by_i, by_j};
-  for (auto _ : state) {
-    factor->Evaluate(parameters, residuals, jacobians);
-    benchmark::DoNotOptimize(by_j);
-  }
-}
-
-/// Adding pairs to the moments, which is done once per round of pairing.
-template <typename Moments>
-void Accumulate(benchmark::State& state) {
-  RandomStream stream = NamedStream(1, "graph_bench");
-  std::vector<Eigen::Vector3d> points(1000);
-  for (Eigen::Vector3d& p : points) p << DrawNormal(stream, 0, 5), DrawNormal(stream, 0, 5), 1.0;
-  for (auto _ : state) {
-    Moments moments;
-    for (const Eigen::Vector3d& p : points) {
-      if constexpr (std::is_same_v<Moments, slam::PointMoments>)
-        moments.Add(p, p);
-      else
-        moments.Add(p, p, Eigen::Matrix3d::Identity());
-    }
-    benchmark::DoNotOptimize(moments);
-  }
-  state.SetItemsProcessed(state.iterations() * 1000);
-}
-
 template <typename Function, typename... Args>
-benchmark::internal::Benchmark* Register(const std::string& name, Function function, Args... args) {
-  return benchmark::RegisterBenchmark(name.c_str(), function, args...)
+void Register(const std::string& name, Function function, Args... args) {
+  benchmark::RegisterBenchmark(name.c_str(), function, args...)
       ->Unit(benchmark::kMillisecond)
       ->UseRealTime();
 }
@@ -199,24 +154,13 @@ void RegisterGraphs() {
     const std::string path = std::string("graph/") + graph.name;
     Register(path + "/ariadne", Whole, graph);
     Register(path + "/floor", Floor, graph);
+    Register(path + "/certificate", Prove, graph);
     Register(path + "/ceres_suite_sparse", Ceres, graph, slam::CeresLibrary::kSuiteSparse, 1e16);
     Register(path + "/ceres_eigen", Ceres, graph, slam::CeresLibrary::kEigen, 1e16);
     Register(path + "/ceres_cxsparse", Ceres, graph, slam::CeresLibrary::kCxSparse, 1e16);
     Register(path + "/ceres_default_radius", Ceres, graph, slam::CeresLibrary::kSuiteSparse, 1e4);
     if (graph.optimum_by_guess) Register(path + "/ceres_stock", StockCeres, graph);
   }
-}
-
-void RegisterFactors() {
-  for (const std::size_t pairs : {10, 1000, 100000}) {
-    const std::string suffix = "/pairs:" + std::to_string(pairs);
-    Register("factor/point" + suffix, EvaluateFactor<slam::PointMoments>, pairs)
-        ->Unit(benchmark::kNanosecond);
-    Register("factor/plane" + suffix, EvaluateFactor<slam::PlaneMoments>, pairs)
-        ->Unit(benchmark::kNanosecond);
-  }
-  Register("factor/accumulate_point", Accumulate<slam::PointMoments>)->Unit(benchmark::kMicrosecond);
-  Register("factor/accumulate_plane", Accumulate<slam::PlaneMoments>)->Unit(benchmark::kMicrosecond);
 }
 
 }  // namespace
