@@ -41,7 +41,9 @@ struct GraphOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("solver", self.solver,
-          "gauss_newton is the faster one on graphs of poses alone; both end in the same minimum");
+          "gauss_newton is the faster one, and the one that gnc runs on; switchable runs on ceres; both "
+          "end in the "
+          "same minimum");
     visit("start", self.start, "chordal escapes the local minima that the others end in on large graphs");
     visit("robust", self.robust,
           "how wrong closures are kept from bending the map; gnc stands the largest share of them");

@@ -32,7 +32,8 @@ class BlockCholesky {
   double operations() const;
 
  private:
-  friend class SelectedInverse;
+  friend std::vector<Eigen::MatrixXd> DiagonalBlocksOfInverse(const BlockCholesky& factor,
+                                                              const BlockMatrix& pattern);
   struct Impl;  // keeps CHOLMOD out of the headers
   std::unique_ptr<Impl> impl_;
 };

@@ -16,7 +16,7 @@ namespace ariadne::slam {
 namespace {
 
 /// The factor of an exactly singular matrix exists only if it is shifted by what rounding may take away.
-constexpr double kRounding = 1e-14;  // of the scale of the matrix
+constexpr double kRounding = 1e-15;  // of the scale of the matrix
 constexpr int kMaxShifts = 60;
 
 template <typename Pose>

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "slam/base/stopwatch.h"
+#include "slam/graph/factors/optimize_with_ceres.h"
 #include "slam/graph/kernels.h"
 #include "slam/graph/optimize/chordal.h"
 #include "slam/graph/optimize/descend.h"
@@ -36,6 +37,39 @@ std::vector<double> FinalWeights(const PoseGraph<Pose>& graph, const EdgeWeighti
   return weights;
 }
 
+bool NeedsCeres(const GraphOptions& options) {
+  if (options.robust == GraphRobust::kSwitchable) return true;
+  return options.solver == GraphSolver::kCeres && options.robust != GraphRobust::kGnc;
+}
+
+template <typename Pose>
+void DescendWithCeres(PoseGraph<Pose>& graph, const GraphOptions& options, OptimizeResult<Pose>& result) {
+  CeresResult<Pose> ceres = OptimizeWithCeres(graph, options);
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) graph.nodes[i].T_map_node = ceres.poses[i];
+  for (const double objective : ceres.objectives) result.iterations.push_back({objective, 0.0, 0.0, 1});
+  result.status = ceres.status == CeresStatus::kConverged        ? GraphStatus::kConverged
+                  : ceres.status == CeresStatus::kIterationLimit ? GraphStatus::kIterationLimit
+                                                                 : GraphStatus::kFailed;
+  result.message = "Ceres: " + ceres.message;
+  result.edge_weights = std::move(ceres.edge_weights);
+  result.times.factorize = ceres.linear_solver_seconds;
+}
+
+template <typename Pose>
+void DescendByItself(PoseGraph<Pose>& graph, Descent<Pose>& descent, const GraphOptions& options,
+                     const std::function<void(const GraphIteration&)>& on_iteration,
+                     OptimizeResult<Pose>& result) {
+  const EdgeWeighting weighting{options.robust, SquaredScale(options.robust_confidence, Pose::kDof), {}};
+  if (options.robust == GraphRobust::kGnc) {
+    GncOutcome outcome = DescendGraduated(graph, descent, weighting.squared_scale, options, on_iteration);
+    result.edge_weights = std::move(outcome.weights);
+    Keep(result, std::move(outcome.descent));
+    return;
+  }
+  Keep(result, descent.Run(graph, weighting, options, on_iteration));
+  if (options.robust != GraphRobust::kNone) result.edge_weights = FinalWeights(graph, weighting);
+}
+
 }  // namespace
 
 std::string_view Name(GraphStatus status) {
@@ -57,14 +91,10 @@ OptimizeResult<Pose> Optimize(PoseGraph<Pose> graph, const GraphOptions& options
   result.times.start = starting.Seconds();
   result.objective_start = Objective(graph);
 
-  const EdgeWeighting weighting{options.robust, SquaredScale(options.robust_confidence, Pose::kDof), {}};
-  if (options.robust == GraphRobust::kGnc) {
-    GncOutcome outcome = DescendGraduated(graph, descent, weighting.squared_scale, options, on_iteration);
-    result.edge_weights = std::move(outcome.weights);
-    Keep(result, std::move(outcome.descent));
+  if (NeedsCeres(options)) {
+    DescendWithCeres(graph, options, result);
   } else {
-    Keep(result, descent.Run(graph, weighting, options, on_iteration));
-    if (options.robust != GraphRobust::kNone) result.edge_weights = FinalWeights(graph, weighting);
+    DescendByItself(graph, descent, options, on_iteration, result);
   }
   result.objective = Objective(graph);
   result.graph = std::move(graph);

@@ -4,8 +4,10 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include "slam/base/random.h"
+#include "slam/sparse/selected_inverse.h"
 
 namespace ariadne::slam {
 namespace {
@@ -71,6 +73,20 @@ TEST(BlockCholesky, RefusesAnIndefiniteMatrix) {
     EXPECT_FALSE(factor.Factorize(sample.sparse));
     sample.sparse.AddToDiagonal(Eigen::VectorXd::Constant(sample.sparse.size(), 2e-3));
     EXPECT_TRUE(factor.Factorize(sample.sparse));
+  }
+}
+
+TEST(SelectedInverse, IsTheDiagonalOfTheDenseInverse) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const Sample sample = MakeSample<3>(10 * seed, 20 * seed, seed);
+    BlockCholesky factor(sample.sparse, FactorKind::kSupernodal);
+    ASSERT_TRUE(factor.Factorize(sample.sparse));
+    const std::vector<Eigen::MatrixXd> blocks = DiagonalBlocksOfInverse(factor, sample.sparse);
+    const Eigen::MatrixXd inverse = sample.dense.inverse();
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      const Eigen::Index row = sample.sparse.row(i);
+      EXPECT_LT((blocks[i] - inverse.block(row, row, 3, 3)).norm(), 1e-9 * inverse.norm());
+    }
   }
 }
 
