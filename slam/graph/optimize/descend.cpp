@@ -101,6 +101,7 @@ bool Descent<Pose>::Improve(PoseGraph<Pose>& graph, const EdgeWeighting& weighti
     last_.damping = damping_;
     const std::optional<Step> step = FindStep();
     if (!step) continue;
+    stepped_ = true;
     const double before = system_.objective();
     settled = damping_ == 0.0 && step->promised <= convergence * std::abs(before);
     PoseGraph<Pose> moved = Moved(graph, step->tau);
@@ -136,15 +137,16 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
   const double convergence = (weighting.kernel == GraphRobust::kNone ? 1.0 : 1e-3) * options.convergence;
   bool settled = false;
   while (!settled && outcome.iterations.size() < static_cast<std::size_t>(options.max_iterations)) {
+    stepped_ = false;
     const bool improved = Improve(graph, weighting, convergence, settled);
     outcome.iterations.push_back(last_);
     if (on_iteration) on_iteration(last_);
     const double objective = system_.objective();
-    if (objective < 0.0 || !std::isfinite(objective)) {
+    if (objective < 0.0 || !std::isfinite(objective) || !stepped_) {
       outcome.message = fmt::format(
-          "the objective has become {:.6g}: it has no minimum, as the information of some edge is not "
-          "positive "
-          "definite",
+          "the objective has come to {:.6g}, but has no minimum there, as the information of some edge is "
+          "not "
+          "positive definite",
           objective);
       return outcome;
     }

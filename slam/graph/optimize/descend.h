@@ -52,6 +52,7 @@ class Descent {
   std::optional<BlockCholesky> factor_;
   double damping_ = 0.0;
   Hessian hessian_ = Hessian::kGaussNewton;
+  bool stepped_ = false;  // whether the last iteration has found any step, good or bad
   GraphIteration last_;
 };
 
