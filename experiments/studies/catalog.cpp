@@ -10,6 +10,7 @@
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
 #include "experiments/studies/optimize.h"
+#include "experiments/studies/posegraph_benchmark.h"
 #include "experiments/studies/register.h"
 #include "experiments/studies/simulate.h"
 #include "experiments/studies/table_1.h"
@@ -56,6 +57,12 @@ StudyResult RunOptimizeStudy(const OptimizeOptions& options, const RunDirectory&
   return {summary.text, summary.problem};
 }
 
+StudyResult RunPosegraphBenchmarkStudy(const PosegraphBenchmarkOptions& options, const RunDirectory& run,
+                                       ProgressDisplay& progress) {
+  const PosegraphBenchmarkSummary summary = RunPosegraphBenchmark(options, run, progress);
+  return {summary.text, summary.problem};
+}
+
 }  // namespace
 
 const std::vector<Study>& AllStudies() {
@@ -63,6 +70,9 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
       MakeStudy<OptimizeOptions>("optimize", "a pose graph into its best poses", CheckOptimizeInput,
                                  RunOptimizeStudy),
+      MakeStudy<PosegraphBenchmarkOptions>("posegraph_benchmark",
+                                           "the public pose graphs: minima and certificates",
+                                           CheckPosegraphBenchmark, RunPosegraphBenchmarkStudy),
       MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot",
                                  RunSimulate),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
