@@ -21,15 +21,28 @@ find_package(assimp REQUIRED)
 find_package(GTest REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
 find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp REQUIRED)  # only to keep CHOLMOD from starting threads
-find_package(Ceres 2.1 REQUIRED)
+
+# The system's BLAS (OpenBLAS, by packages.txt), loaded before all else: Debian's Ceres names ATLAS, which would
+# otherwise serve CHOLMOD as well, three times slower.
+find_library(BLAS_LIBRARY NAMES libblas.so REQUIRED)
+add_library(system_blas INTERFACE)
+target_link_options(system_blas INTERFACE
+  "SHELL:-Wl,--push-state,--no-as-needed ${BLAS_LIBRARY} -Wl,--pop-state")
 
 find_path(CHOLMOD_INCLUDE cholmod.h PATH_SUFFIXES suitesparse REQUIRED)
 find_library(CHOLMOD_LIBRARY cholmod REQUIRED)
 add_library(suitesparse_cholmod INTERFACE)
 target_include_directories(suitesparse_cholmod SYSTEM INTERFACE ${CHOLMOD_INCLUDE})
-target_link_libraries(suitesparse_cholmod INTERFACE ${CHOLMOD_LIBRARY})
+target_link_libraries(suitesparse_cholmod INTERFACE system_blas ${CHOLMOD_LIBRARY})
 
-find_path(SPECTRA_INCLUDE Spectra/SymEigsSolver.h REQUIRED)  # headers
+# Ceres as a shared library: the static one holds functions of Eigen that were built without AVX, and a program
+# in which they meet ours frees with the one what the other has allocated.
+find_package(Ceres 2.1 REQUIRED)
+find_library(CERES_LIBRARY NAMES libceres.so REQUIRED)
+find_library(GLOG_LIBRARY glog REQUIRED)
+add_library(ceres_shared INTERFACE)
+target_link_libraries(ceres_shared INTERFACE system_blas ${CERES_LIBRARY} ${GLOG_LIBRARY})
+
 
 # Options that every translation unit shares.
 add_library(ariadne_flags INTERFACE)
