@@ -5,29 +5,46 @@
 namespace ariadne::slam {
 namespace {
 
-/// The places below the diagonal in the order of elimination, by columns, each once, with the diagonal.
-std::vector<std::pair<std::int32_t, std::int32_t>> SortedColumns(const BlockOrder& order,
-                                                                 const std::vector<BlockPlace>& places) {
-  std::vector<std::pair<std::int32_t, std::int32_t>> column_row;
-  column_row.reserve(places.size() + order.size());
-  for (const auto& [i, j] : places) column_row.push_back(std::minmax(order[i], order[j]));
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    column_row.emplace_back(static_cast<std::int32_t>(i), static_cast<std::int32_t>(i));
+/// The block rows of each block column, ascending, the diagonal first.
+struct BlockColumns {
+  std::vector<std::int32_t> begins;
+  std::vector<std::int32_t> rows;
+};
+
+BlockColumns SortedColumns(const BlockOrder& order, const std::vector<BlockPlace>& places) {
+  // Counting sort by the column, then each short column by itself.
+  std::vector<std::int32_t> begins(order.size() + 1, 0);
+  for (const auto& [i, j] : places) ++begins[static_cast<std::size_t>(std::min(order[i], order[j])) + 1];
+  for (std::size_t c = 0; c < order.size(); ++c) begins[c + 1] += begins[c];
+  std::vector<std::int32_t> rows(places.size());
+  std::vector<std::int32_t> next(begins.begin(), begins.end() - 1);
+  for (const auto& [i, j] : places) {
+    const auto [column, row] = std::minmax(order[i], order[j]);
+    rows[static_cast<std::size_t>(next[static_cast<std::size_t>(column)]++)] = row;
   }
-  std::sort(column_row.begin(), column_row.end());
-  column_row.erase(std::unique(column_row.begin(), column_row.end()), column_row.end());
-  return column_row;
+  BlockColumns columns;
+  columns.begins.reserve(order.size() + 1);
+  columns.rows.reserve(places.size() + order.size());
+  for (std::size_t c = 0; c < order.size(); ++c) {
+    columns.begins.push_back(static_cast<std::int32_t>(columns.rows.size()));
+    columns.rows.push_back(static_cast<std::int32_t>(c));
+    const auto begin = rows.begin() + begins[c], end = rows.begin() + begins[c + 1];
+    std::sort(begin, end);
+    for (auto row = begin; row != end; ++row) {
+      if (*row != columns.rows.back()) columns.rows.push_back(*row);
+    }
+  }
+  columns.begins.push_back(static_cast<std::int32_t>(columns.rows.size()));
+  return columns;
 }
 
 }  // namespace
 
 BlockMatrix::BlockMatrix(int block_size, BlockOrder order, const std::vector<BlockPlace>& places)
-    : block_size_(block_size), order_(std::move(order)), block_begins_(order_.size() + 1, 0) {
-  for (const auto& [column, row] : SortedColumns(order_, places)) {
-    ++block_begins_[static_cast<std::size_t>(column) + 1];
-    block_rows_.push_back(row);
-  }
-  for (std::size_t i = 0; i < order_.size(); ++i) block_begins_[i + 1] += block_begins_[i];
+    : block_size_(block_size), order_(std::move(order)) {
+  BlockColumns columns = SortedColumns(order_, places);
+  block_begins_ = std::move(columns.begins);
+  block_rows_ = std::move(columns.rows);
   column_begins_.reserve(static_cast<std::size_t>(size()) + 1);
   column_begins_.push_back(0);
   rows_.reserve(block_rows_.size() * static_cast<std::size_t>(block_size_ * block_size_));

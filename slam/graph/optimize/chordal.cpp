@@ -33,11 +33,29 @@ Eigen::Matrix2d NearestRotation(const Eigen::Matrix2d& m) {
   return Pose2{std::atan2(m(1, 0) - m(0, 1), m(0, 0) + m(1, 1)), {}}.RotationMatrix();
 }
 
-Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& m) {
+/// By the singular value decomposition, which serves every matrix.
+Eigen::Matrix3d NearestRotationBySvd(const Eigen::Matrix3d& m) {
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(m, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Eigen::Vector3d signs(1.0, 1.0,
-                        (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0);
-  return svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  const double sign = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0.0 ? -1.0 : 1.0;
+  return svd.matrixU() * Eigen::Vector3d(1.0, 1.0, sign).asDiagonal() * svd.matrixV().transpose();
+}
+
+/// By Newton's iteration for the polar decomposition, R <- (R + R^-T) / 2, which takes a few steps where
+/// the matrix is almost a rotation, as most are.
+Eigen::Matrix3d NearestRotation(const Eigen::Matrix3d& m) {
+  constexpr int kMaxSteps = 8;
+  Eigen::Matrix3d R = m;
+  for (int step = 0; step < kMaxSteps; ++step) {
+    const double determinant = R.determinant();
+    if (!(determinant > 1e-3)) break;
+    Eigen::Matrix3d cofactors;  // R^-T determinant
+    cofactors << R.col(1).cross(R.col(2)), R.col(2).cross(R.col(0)), R.col(0).cross(R.col(1));
+    const Eigen::Matrix3d next = 0.5 * (R + cofactors / determinant);
+    const double change = (next - R).squaredNorm();
+    R = next;
+    if (change < 1e-20) return R;
+  }
+  return NearestRotationBySvd(m);
 }
 
 void SetRotation(Pose2& pose, const Eigen::Matrix2d& R) { pose.angle = std::atan2(R(1, 0), R(0, 0)); }

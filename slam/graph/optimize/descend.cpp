@@ -35,6 +35,9 @@ auto TimedBy(double& sum, const Make& make) {
   return make();
 }
 
+// Of the squared error of one residual: what is less, is rounding. Measurements without noise end there.
+constexpr double kRounding = 1e-14;
+
 }  // namespace
 
 template <typename Pose>
@@ -103,7 +106,7 @@ bool Descent<Pose>::Improve(PoseGraph<Pose>& graph, const EdgeWeighting& weighti
     if (!step) continue;
     stepped_ = true;
     const double before = system_.objective();
-    settled = damping_ == 0.0 && step->promised <= convergence * std::abs(before);
+    settled = damping_ == 0.0 && step->promised <= std::max(convergence * std::abs(before), least_promise_);
     PoseGraph<Pose> moved = Moved(graph, step->tau);
     if (settled) {
       // The model is exact here, but for rounding; whether the step is worth it, its objective tells.
@@ -135,6 +138,7 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
   Linearize(graph, weighting);
   // A kernel's own curvature is not in the matrix, so that its steps converge more slowly.
   const double convergence = (weighting.kernel == GraphRobust::kNone ? 1.0 : 1e-3) * options.convergence;
+  least_promise_ = kRounding * Pose::kDof * static_cast<double>(graph.edges.size() + graph.priors.size());
   bool settled = false;
   while (!settled && outcome.iterations.size() < static_cast<std::size_t>(options.max_iterations)) {
     stepped_ = false;

@@ -51,6 +51,7 @@ class Descent {
   NormalSystem<Pose> system_;
   std::optional<BlockCholesky> factor_;
   double damping_ = 0.0;
+  double least_promise_ = 0.0;  // below it the objective has no digits
   Hessian hessian_ = Hessian::kGaussNewton;
   bool stepped_ = false;  // whether the last iteration has found any step, good or bad
   GraphIteration last_;
