@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "experiments/studies/ablation_graph.h"
 #include "experiments/studies/ablation_matching.h"
 #include "experiments/studies/fig_02.h"
 #include "experiments/studies/fig_03.h"
@@ -83,7 +84,10 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
-                                         RunAblationMatching)};
+                                         RunAblationMatching),
+      MakeStudy<AblationGraphOptions>("ablation_graph",
+                                      "pose graphs with wrong closures, from other starts, of other sizes",
+                                      CheckAblationGraph, RunAblationGraph)};
   return kStudies;
 }
 

@@ -111,13 +111,16 @@ bool Descent<Pose>::Improve(PoseGraph<Pose>& graph, const EdgeWeighting& weighti
     if (settled) {
       // The model is exact here, but for rounding; whether the step is worth it, its objective tells.
       const Timed timed(times_.linearize);
-      if (WeightedObjective(moved, weighting) <= before) graph = std::move(moved);
+      const double after = WeightedObjective(moved, weighting);
+      if (after <= before) graph = std::move(moved);
+      objective_ = std::min(before, after);
       return true;
     }
     const Hessian used = hessian_;
     hessian_ = step->promised < kNearMinimum * before ? Hessian::kNewton : Hessian::kGaussNewton;
     Linearize(moved, weighting);
     if (system_.objective() < before) {
+      objective_ = system_.objective();
       graph = std::move(moved);
       damping_ = damping_ <= kLeastDamping ? 0.0 : 0.1 * damping_;
       return true;
@@ -132,10 +135,14 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
                                   const GraphOptions& options,
                                   const std::function<void(const GraphIteration&)>& on_iteration) {
   DescentOutcome outcome;
-  if (variables().node_of.empty()) return {GraphStatus::kConverged, "every vertex is fixed", {}};
+  if (variables().node_of.empty()) {
+    const double objective = WeightedObjective(graph, weighting);
+    return {GraphStatus::kConverged, "every vertex is fixed", {}, objective, objective};
+  }
   damping_ = 0.0;
   hessian_ = Hessian::kGaussNewton;
   Linearize(graph, weighting);
+  outcome.objective_start = objective_ = system_.objective();
   // A kernel's own curvature is not in the matrix, so that its steps converge more slowly.
   const double convergence = (weighting.kernel == GraphRobust::kNone ? 1.0 : 1e-3) * options.convergence;
   least_promise_ = kRounding * Pose::kDof * static_cast<double>(graph.edges.size() + graph.priors.size());
@@ -145,7 +152,7 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
     const bool improved = Improve(graph, weighting, convergence, settled);
     outcome.iterations.push_back(last_);
     if (on_iteration) on_iteration(last_);
-    const double objective = system_.objective();
+    const double objective = outcome.objective = system_.objective();
     if (objective < 0.0 || !std::isfinite(objective) || !stepped_) {
       outcome.message = fmt::format(
           "the objective has come to {:.6g}, but has no minimum there, as the information of some edge is "
@@ -157,6 +164,7 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
     // Where not even a tiny step lowers it, it is a minimum to rounding.
     settled = settled || !improved;
   }
+  outcome.objective = objective_;
   outcome.status = settled ? GraphStatus::kConverged : GraphStatus::kIterationLimit;
   outcome.message = fmt::format("{} after {} iterations", settled ? "converged" : "not converged",
                                 outcome.iterations.size());

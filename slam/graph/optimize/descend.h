@@ -15,6 +15,8 @@ struct DescentOutcome {
   GraphStatus status = GraphStatus::kFailed;
   std::string message;
   std::vector<GraphIteration> iterations;
+  double objective_start = 0.0;  // with the weighting
+  double objective = 0.0;        // at the end
 };
 
 /// Newton's method on CHOLMOD; where the objective is not convex, or does not fall, Gauss-Newton, and
@@ -50,6 +52,7 @@ class Descent {
   GraphTimes& times_;
   NormalSystem<Pose> system_;
   std::optional<BlockCholesky> factor_;
+  double objective_ = 0.0;  // at the best poses so far
   double damping_ = 0.0;
   double least_promise_ = 0.0;  // below it the objective has no digits
   Hessian hessian_ = Hessian::kGaussNewton;

@@ -56,7 +56,7 @@ void DescendWithCeres(PoseGraph<Pose>& graph, const GraphOptions& options, Optim
 }
 
 template <typename Pose>
-void DescendByItself(PoseGraph<Pose>& graph, Descent<Pose>& descent, const GraphOptions& options,
+void DescendRobustly(PoseGraph<Pose>& graph, Descent<Pose>& descent, const GraphOptions& options,
                      const std::function<void(const GraphIteration&)>& on_iteration,
                      OptimizeResult<Pose>& result) {
   const EdgeWeighting weighting{options.robust, SquaredScale(options.robust_confidence, Pose::kDof), {}};
@@ -67,7 +67,19 @@ void DescendByItself(PoseGraph<Pose>& graph, Descent<Pose>& descent, const Graph
     return;
   }
   Keep(result, descent.Run(graph, weighting, options, on_iteration));
-  if (options.robust != GraphRobust::kNone) result.edge_weights = FinalWeights(graph, weighting);
+  result.edge_weights = FinalWeights(graph, weighting);
+}
+
+/// A plain descent on the whole graph has met its objective at the start and the end: they need not be
+/// computed once more.
+template <typename Pose>
+void DescendPlainly(PoseGraph<Pose>& graph, Descent<Pose>& descent, const GraphOptions& options,
+                    const std::function<void(const GraphIteration&)>& on_iteration,
+                    OptimizeResult<Pose>& result) {
+  DescentOutcome outcome = descent.Run(graph, {}, options, on_iteration);
+  result.objective_start = outcome.objective_start;
+  result.objective = outcome.objective;
+  Keep(result, std::move(outcome));
 }
 
 }  // namespace
@@ -89,14 +101,17 @@ OptimizeResult<Pose> Optimize(PoseGraph<Pose> graph, const GraphOptions& options
   const Stopwatch starting;
   Start(graph, descent.variables(), options.start);
   result.times.start = starting.Seconds();
-  result.objective_start = Objective(graph);
-
-  if (NeedsCeres(options)) {
-    DescendWithCeres(graph, options, result);
+  if (options.solver == GraphSolver::kGaussNewton && options.robust == GraphRobust::kNone) {
+    DescendPlainly(graph, descent, options, on_iteration, result);
   } else {
-    DescendByItself(graph, descent, options, on_iteration, result);
+    result.objective_start = Objective(graph);
+    if (NeedsCeres(options)) {
+      DescendWithCeres(graph, options, result);
+    } else {
+      DescendRobustly(graph, descent, options, on_iteration, result);
+    }
+    result.objective = Objective(graph);
   }
-  result.objective = Objective(graph);
   result.graph = std::move(graph);
   result.times.total = total.Seconds();
   return result;
