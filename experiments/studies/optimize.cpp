@@ -45,8 +45,7 @@ std::string SummaryText(const slam::G2oFile& file, const slam::PoseGraph<Pose>& 
   for (const auto& note : metrics.at("notes"))
     text += fmt::format("note: {}\n", note.template get<std::string>());
   text += fmt::format("\n{}\n{}", ToText(MinimaTable(minima)), RejectionText(file, minima.best()));
-  if (minima.certificate)
-    text += fmt::format("{}: {}\n", VerdictOf(*minima.certificate), minima.certificate->message);
+  if (minima.certificate) text += minima.certificate->message + "\n";
   text += fmt::format("\n{}\nworst edges (squared errors):\n{}", ToText(TimeTable(times)),
                       ToText(WorstEdges(edges, kWorstEdges)));
   return text;

@@ -10,8 +10,25 @@
 namespace ariadne::slam {
 namespace {
 
-/// Numbers of a pose and of the upper triangle of its information.
-constexpr std::size_t kPose2 = 3, kInformation2 = 6, kPose3 = 7, kToroPose3 = 6, kInformation3 = 21;
+enum class What { kVertex, kEdge, kPrior };
+
+struct Kind {
+  std::string_view tag;
+  What what;
+  bool in_space;
+  bool toro;  // the elder format, in which angles and information are written otherwise
+};
+
+constexpr std::array<Kind, 10> kKinds{{{"EDGE_SE3:QUAT", What::kEdge, true, false},
+                                       {"EDGE_SE2", What::kEdge, false, false},
+                                       {"VERTEX_SE3:QUAT", What::kVertex, true, false},
+                                       {"VERTEX_SE2", What::kVertex, false, false},
+                                       {"EDGE_SE3_PRIOR", What::kPrior, true, false},
+                                       {"EDGE_PRIOR_SE2", What::kPrior, false, false},
+                                       {"EDGE3", What::kEdge, true, true},
+                                       {"EDGE2", What::kEdge, false, true},
+                                       {"VERTEX3", What::kVertex, true, true},
+                                       {"VERTEX2", What::kVertex, false, true}}};
 
 /// Records that describe what no pose depends on.
 constexpr std::array<std::string_view, 10> kSkipped{"VERTEX_TAG",
@@ -44,12 +61,19 @@ class RecordReader {
  private:
   void Add(G2oFields& fields) {
     const std::string_view tag = fields.tag();
-    if (AddPlanar(fields) || AddSpatial(fields)) return;
-    if (tag == "FIX") {
+    const auto kind = std::ranges::find(kKinds, tag, &Kind::tag);
+    if (kind != kKinds.end()) {
+      RequireDimension(*kind);
+      if (kind->in_space) {
+        AddTo(records_.space, *kind, fields);
+      } else {
+        AddTo(records_.plane, *kind, fields);
+      }
+    } else if (tag == "FIX") {
       AddFixed(fields);
     } else if (tag == "PARAMS_SE3OFFSET") {
       const std::int64_t id = fields.NextId();
-      records_.offsets.push_back({id, reader_.line(), G2oPose3(reader_, fields.Numbers(kPose3))});
+      records_.offsets.push_back({id, reader_.line(), G2oPose3(reader_, fields.Numbers(7))});
     } else if (std::ranges::find(kSkipped, tag) != kSkipped.end()) {
       ++records_.skipped;
     } else {
@@ -57,64 +81,37 @@ class RecordReader {
     }
   }
 
-  bool AddPlanar(G2oFields& fields) {
-    const std::string_view tag = fields.tag();
-    G2oPoses<Pose2>& poses = records_.plane;
-    if (tag == "EDGE_SE2" || tag == "EDGE2") {
-      SetDimension(false, tag);
-      const std::int64_t from = fields.NextId(), to = fields.NextId();
-      const std::span<const double> n = fields.Numbers(kPose2 + kInformation2);
-      const std::span<const double> information = n.subspan(kPose2);
-      poses.edges.push_back({from, to, reader_.line(), G2oPose2(n),
-                             tag == "EDGE2" ? ToroInformation2(reader_, information)
-                                            : G2oInformation2(reader_, information)});
-    } else if (tag == "VERTEX_SE2" || tag == "VERTEX2") {
-      SetDimension(false, tag);
-      const std::int64_t id = fields.NextId();
-      poses.vertices.push_back({id, reader_.line(), G2oPose2(fields.Numbers(kPose2))});
-    } else if (tag == "EDGE_PRIOR_SE2") {
-      SetDimension(false, tag);
-      const std::int64_t id = fields.NextId();
-      const std::span<const double> n = fields.Numbers(kPose2 + kInformation2);
-      poses.priors.push_back(
-          {id, reader_.line(), 0, G2oPose2(n), G2oInformation2(reader_, n.subspan(kPose2))});
-    } else {
-      return false;
+  template <typename Pose>
+  void AddTo(G2oPoses<Pose>& poses, const Kind& kind, G2oFields& fields) {
+    constexpr std::size_t kTriangle = Pose::kDof * (Pose::kDof + 1) / 2;
+    const std::size_t pose_size = Pose::kDof + (kind.in_space && !kind.toro ? 1 : 0);
+    const std::int64_t id = fields.NextId();
+    const bool second = kind.what == What::kEdge || (kind.what == What::kPrior && kind.in_space);
+    const std::int64_t second_id = second ? fields.NextId() : 0;
+    const bool measured = kind.what != What::kVertex;
+    const std::span<const double> n = fields.Numbers(pose_size + (measured ? kTriangle : 0));
+    const Pose pose = PoseFrom(n, kind, Pose());
+    if (!measured) {
+      poses.vertices.push_back({id, reader_.line(), pose});
+      return;
     }
-    return true;
+    const auto information = InformationFrom(n.subspan(pose_size), kind, Pose());
+    if (kind.what == What::kEdge) {
+      poses.edges.push_back({id, second_id, reader_.line(), pose, information});
+    } else {
+      poses.priors.push_back({id, reader_.line(), second_id, pose, information});
+    }
   }
 
-  bool AddSpatial(G2oFields& fields) {
-    const std::string_view tag = fields.tag();
-    G2oPoses<Pose3>& poses = records_.space;
-    if (tag == "EDGE_SE3:QUAT" || tag == "EDGE3") {
-      SetDimension(true, tag);
-      const std::int64_t from = fields.NextId(), to = fields.NextId();
-      const bool toro = tag == "EDGE3";
-      const std::size_t pose_size = toro ? kToroPose3 : kPose3;
-      const std::span<const double> n = fields.Numbers(pose_size + kInformation3);
-      const std::span<const double> information = n.subspan(pose_size);
-      poses.edges.push_back(
-          {from, to, reader_.line(), toro ? ToroPose3(n) : G2oPose3(reader_, n),
-           toro ? ToroInformation3(reader_, information) : G2oInformation3(reader_, information)});
-    } else if (tag == "VERTEX_SE3:QUAT") {
-      SetDimension(true, tag);
-      const std::int64_t id = fields.NextId();
-      poses.vertices.push_back({id, reader_.line(), G2oPose3(reader_, fields.Numbers(kPose3))});
-    } else if (tag == "VERTEX3") {
-      SetDimension(true, tag);
-      const std::int64_t id = fields.NextId();
-      poses.vertices.push_back({id, reader_.line(), ToroPose3(fields.Numbers(kToroPose3))});
-    } else if (tag == "EDGE_SE3_PRIOR") {
-      SetDimension(true, tag);
-      const std::int64_t id = fields.NextId(), offset = fields.NextId();
-      const std::span<const double> n = fields.Numbers(kPose3 + kInformation3);
-      poses.priors.push_back(
-          {id, reader_.line(), offset, G2oPose3(reader_, n), G2oInformation3(reader_, n.subspan(kPose3))});
-    } else {
-      return false;
-    }
-    return true;
+  Pose2 PoseFrom(std::span<const double> n, const Kind&, const Pose2&) const { return G2oPose2(n); }
+  Pose3 PoseFrom(std::span<const double> n, const Kind& kind, const Pose3&) const {
+    return kind.toro ? ToroPose3(n) : G2oPose3(reader_, n);
+  }
+  Pose2::Square InformationFrom(std::span<const double> n, const Kind& kind, const Pose2&) const {
+    return kind.toro ? ToroInformation2(reader_, n) : G2oInformation2(reader_, n);
+  }
+  Pose3::Square InformationFrom(std::span<const double> n, const Kind& kind, const Pose3&) const {
+    return kind.toro ? ToroInformation3(reader_, n) : G2oInformation3(reader_, n);
   }
 
   void AddFixed(G2oFields& fields) {
@@ -123,13 +120,16 @@ class RecordReader {
     } while (!fields.AtEnd());
   }
 
-  void SetDimension(bool in_space, std::string_view tag) {
-    if (first_pose_line_ == 0) first_pose_line_ = reader_.line();
-    if (first_pose_line_ == reader_.line()) records_.in_space = in_space;
-    if (records_.in_space == in_space) return;
+  /// All poses are of the kind of the first.
+  void RequireDimension(const Kind& kind) {
+    if (first_pose_line_ == 0) {
+      first_pose_line_ = reader_.line();
+      records_.in_space = kind.in_space;
+    }
+    if (records_.in_space == kind.in_space) return;
+    const auto where = [](bool in_space) { return in_space ? "space" : "the plane"; };
     reader_.FailAtLine("{} is a record of poses in {}, but line {} is of poses in {}; a graph has one kind",
-                       tag, in_space ? "space" : "the plane", first_pose_line_,
-                       in_space ? "the plane" : "space");
+                       kind.tag, where(kind.in_space), first_pose_line_, where(records_.in_space));
   }
 
   [[noreturn]] void FailAtUnknown(std::string_view tag) const {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "slam/base/error.h"
+#include "slam/io/g2o.h"
 #include "slam/io/kitti.h"
 #include "slam/io/pcd.h"
 #include "slam/io/ply.h"
@@ -113,7 +114,14 @@ bool AcceptsAnyPoses(std::string_view bytes) {
   return Accepts(bytes, slam::ReadAnyPoses, write);
 }
 
-constexpr std::array<Reader, 11> kReaders{{{"uos_cloud", AcceptsUosCloud},
+bool AcceptsG2o(std::string_view bytes) {
+  const auto write = [](std::ostream& out, const slam::G2oFile& file) {
+    std::visit([&](const auto& graph) { slam::WriteG2o(out, graph); }, file.graph);
+  };
+  return Accepts(bytes, slam::ReadG2o, write);
+}
+
+constexpr std::array<Reader, 12> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -123,7 +131,8 @@ constexpr std::array<Reader, 11> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"tum", AcceptsTum},
                                            {"kitti_poses", AcceptsPoseMatrices},
                                            {"pose_list", AcceptsPoseList},
-                                           {"any_poses", AcceptsAnyPoses}}};
+                                           {"any_poses", AcceptsAnyPoses},
+                                           {"g2o", AcceptsG2o}}};
 
 }  // namespace
 
