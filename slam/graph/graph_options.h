@@ -50,9 +50,8 @@ struct GraphOptions {
     visit("robust_confidence", self.robust_confidence, Unit(""), Range{0.5, 0.999999},
           "share of right edges that the kernel leaves (nearly) alone, by chi-square");
     visit("switch_weight", self.switch_weight, Unit(""), Range{1e-6, 1e6},
-          "of switchable: an edge whose error (in sigmas) is larger is turned off; 4 is the root of the 99 "
-          "% quantile in "
-          "space");
+          "of switchable: an edge with a larger error, in sigmas, is turned off; 4 is the root of the 99 % "
+          "quantile in space");
     visit("max_iterations", self.max_iterations, Unit(""), Range{1, 100000}, "of each descent");
     visit("convergence", self.convergence, Unit(""), Range{0.0, 1.0},
           "ends with the step that promises to lower the objective by a smaller share; what then remains "

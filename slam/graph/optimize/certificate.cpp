@@ -23,38 +23,64 @@ template <typename Pose>
 constexpr int kD = Pose::Point::RowsAtCompileTime;
 
 /// 1 for the entries of rotations, 0 for those of translations.
-template <typename Pose>
 Eigen::VectorXd RotationEntries(const BlockMatrix& S) {
   Eigen::VectorXd entries = Eigen::VectorXd::Ones(S.size());
   for (std::size_t i = 0; i < S.blocks(); ++i) entries[S.row(i)] = 0.0;
   return entries;
 }
 
-/// Whether the part of S that is left when the translations are eliminated has no eigenvalue below -shift:
-/// whether S + shift is positive definite.
-bool HoldsWithShift(const BlockMatrix& S, const Eigen::VectorXd& rotations, double shift,
-                    BlockCholesky& factor) {
-  BlockMatrix shifted = S;
-  shifted.AddToDiagonal(shift * rotations);
-  return factor.Factorize(shifted);
-}
+/// What poses prove about all poses.
+struct Bound {
+  double lower = 0.0;
+  double least_eigenvalue = 0.0;
+};
 
-/// A shift with which S is positive definite: `least`, or within a tenth the smallest such shift.
-double FindShift(const BlockMatrix& S, const Eigen::VectorXd& rotations, double least) {
-  BlockCholesky factor(S);
-  double shift = least;
-  if (HoldsWithShift(S, rotations, shift, factor)) return shift;
-  double failed = shift;
-  for (int k = 0; !HoldsWithShift(S, rotations, shift *= 8.0, factor); ++k) {
-    failed = shift;
-    if (k == kMaxShifts) Fail("the certificate matrix is not finite");
+/// The certificate matrix of some poses, and for which shifts it is positive definite.
+class Prover {
+ public:
+  template <typename Pose>
+  explicit Prover(const PoseGraph<Pose>& graph)
+      : matrix_(MakeCertificateMatrix(graph)),
+        rotations_(RotationEntries(matrix_.S)),
+        factor_(matrix_.S),
+        dn_(kD<Pose> * static_cast<double>(graph.nodes.size())) {}
+
+  /// The shift by which the bound falls short of the objective by `gap`, or what rounding asks for.
+  double ShiftOfGap(double gap) const { return std::max(gap / dn_, kRounding * matrix_.scale); }
+
+  /// Whether the part of S that is left when the translations are eliminated has no eigenvalue below
+  /// -shift: whether S + shift is positive definite.
+  bool Holds(double shift) {
+    BlockMatrix shifted = matrix_.S;
+    shifted.AddToDiagonal(shift * rotations_);
+    return factor_.Factorize(shifted);
   }
-  while (shift > 1.1 * failed) {
-    const double middle = std::sqrt(shift * failed);
-    (HoldsWithShift(S, rotations, middle, factor) ? shift : failed) = middle;
+
+  /// Within a tenth the smallest shift that holds; `failed` does not.
+  double FindShift(double failed) {
+    double shift = 8.0 * failed;
+    for (int k = 0; !Holds(shift); ++k, shift *= 8.0) {
+      failed = shift;
+      if (k == kMaxShifts) Fail("the certificate matrix is not finite");
+    }
+    while (shift > 1.1 * failed) {
+      const double middle = std::sqrt(shift * failed);
+      (Holds(middle) ? shift : failed) = middle;
+    }
+    return shift;
   }
-  return shift;
-}
+
+  /// With the translations eliminated, tr(Y S Y^T) >= -shift |Y|^2 = -shift d n for all rotations Y.
+  Bound BoundOf(double shift) const {
+    return {std::max(0.0, matrix_.trace_of_multipliers - shift * dn_), -shift};
+  }
+
+ private:
+  CertificateMatrix matrix_;
+  Eigen::VectorXd rotations_;
+  BlockCholesky factor_;
+  double dn_;
+};
 
 std::string Explain(const Certificate& certificate) {
   if (certificate.verdict == CertificateVerdict::kOptimal) {
@@ -63,25 +89,9 @@ std::string Explain(const Certificate& certificate) {
   }
   return fmt::format(
       "not certified: the certificate matrix has an eigenvalue of about {:.3g}; what is proven is only "
-      "that no "
-      "poses have an objective below {:.6g}; it may be a local minimum: start with graph.start=chordal",
+      "that "
+      "no poses have an objective below {:.6g}; it may be a local minimum: start with graph.start=chordal",
       certificate.least_eigenvalue, certificate.lower_bound);
-}
-
-/// What the poses of `graph` prove about all poses.
-struct Bound {
-  double lower = 0.0;
-  double least_eigenvalue = 0.0;
-};
-
-template <typename Pose>
-Bound FindBound(const PoseGraph<Pose>& graph, double max_gap) {
-  const CertificateMatrix matrix = MakeCertificateMatrix(graph);
-  // With the translations eliminated, tr(Y S Y^T) >= -shift |Y|^2 = -shift d n for all rotations Y.
-  const double dn = kD<Pose> * static_cast<double>(graph.nodes.size());
-  const double least = std::max(0.1 * max_gap / dn, kRounding * matrix.scale);
-  const double shift = FindShift(matrix.S, RotationEntries<Pose>(matrix.S), least);
-  return {std::max(0.0, matrix.trace_of_multipliers - shift * dn), -shift};
 }
 
 template <typename Pose>
@@ -93,6 +103,17 @@ PoseGraph<Pose> Settled(const PoseGraph<Pose>& graph) {
   return Optimize(graph, options).graph;
 }
 
+/// The bound that a tenth of `max_gap` asks for, else the best that there is.
+template <typename Pose>
+Bound FindBound(const PoseGraph<Pose>& graph, double max_gap) {
+  Prover prover(graph);
+  const double shift = prover.ShiftOfGap(0.1 * max_gap);
+  if (prover.Holds(shift)) return prover.BoundOf(shift);
+  // Either these poses are no global minimum, or they are only near one.
+  Prover settled(Settled(graph));
+  return settled.BoundOf(settled.Holds(shift) ? shift : settled.FindShift(shift));
+}
+
 }  // namespace
 
 template <typename Pose>
@@ -100,17 +121,12 @@ Certificate Certify(const PoseGraph<Pose>& graph, double max_relative_gap) {
   const Stopwatch watch;
   CheckGraph(graph);
   if (!graph.priors.empty()) Fail("a graph with priors has no certificate: it is for relative poses alone");
-  if (std::count_if(graph.nodes.begin(), graph.nodes.end(), [](const auto& node) { return node.fixed; }) >
-      1)
+  if (std::ranges::count_if(graph.nodes, [](const auto& node) { return node.fixed; }) > 1)
     Fail("a graph with more than one fixed vertex has no certificate");
   Certificate certificate;
   certificate.objective = Objective(graph);
   const double max_gap = max_relative_gap * certificate.objective;
-  Bound bound = FindBound(graph, max_gap);
-  if (certificate.objective - bound.lower > max_gap) {
-    const Bound settled = FindBound(Settled(graph), max_gap);
-    if (settled.lower > bound.lower) bound = settled;
-  }
+  const Bound bound = FindBound(graph, max_gap);
   certificate.least_eigenvalue = bound.least_eigenvalue;
   certificate.lower_bound = std::min(bound.lower, certificate.objective);
   if (certificate.objective > 0.0)
