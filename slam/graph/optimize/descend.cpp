@@ -155,9 +155,8 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
     const double objective = outcome.objective = system_.objective();
     if (objective < 0.0 || !std::isfinite(objective) || !stepped_) {
       outcome.message = fmt::format(
-          "the objective has come to {:.6g}, but has no minimum there, as the information of some edge is "
-          "not "
-          "positive definite",
+          "the objective has come to {:.6g}, but has no minimum there: the information of some edge is "
+          "not positive definite",
           objective);
       return outcome;
     }
