@@ -144,6 +144,15 @@ def corridor(values, experiments):
         tables.matching(levels, v.MATCHING_METHODS, v.MATCHING_MEASURES.values()))
 
 
+def graphs(values, real_data, experiments):
+    say("pose graphs: the public ones, wrong closures, starts")
+    if real_data:
+        names = v.add_posegraphs(values, experiments.run("posegraph_benchmark"))
+        (BUILD / "table_posegraphs.tex").write_text(tables.posegraphs(names))
+    shares, kernels = v.add_ablation_graph(values, experiments.run("ablation_graph"))
+    (BUILD / "table_kernels.tex").write_text(tables.kernels([s for s in ("0", "10", "30", "50") if s in shares], kernels))
+
+
 def copy_fig_05(run, name):
     """Copies the picture of a run, for a smaller print; returns the run."""
     png.write(BUILD / f"{name}.png", png.bolder(png.read(run / "figures" / "reduced_and_all.png")))
@@ -238,6 +247,7 @@ def main():
                 say(f"no data sets in {data}: the paper says so in place of their results (set ARIADNE_DATA)")
             office_truth(values, experiments)
             corridor(values, experiments)
+            graphs(values, real_data, experiments)
         finally:
             experiments.save_records()
     except RunError as error:

@@ -117,3 +117,20 @@ def matching(levels, methods, measures):
                for i, method in enumerate(methods)] for level in levels]
     head = [r"noise & method & position [cm] & rotation [deg] & map error [cm] & median wall [cm] & worst wall [cm] \\"]
     return tabular("@{}ll" + "r" * len(measures) + "@{}", head, groups)
+
+
+def posegraphs(names):
+    rows = [[name.replace('_', r'\_'), *(val(f"graphs.{name.replace('-', '_')}.{what}") for what in
+                     ("vertices", "edges", "optimum", "difference", "gap", "iterations", "time", "certificate",
+                      "information", "guess"))] for name in names]
+    head = [r"graph & vertices & edges & $F$ & difference & gap & iter. & time & certificate & $\chi^2$ & from the guess \\"]
+    return tabular("@{}lrrrrrrrrrr@{}", head, [rows])
+
+
+def kernels(shares, names):
+    def cell(share, name):
+        key = f"kernels.{share}.{name}"
+        return [val(key + ".position") + rf" {{\scriptsize {val(key + '.interval')}}}", val(key + ".within")]
+    groups = [[[rf"{share}\,\%" if i == 0 else "", name.replace("_", " "), *cell(share, name)]
+               for i, name in enumerate(names)] for share in shares]
+    return tabular("@{}llrr@{}", [r"wrong & kernel & position [cm] & within $2\times$ [\%] \\"], groups)
