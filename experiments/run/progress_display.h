@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "experiments/run/stopwatch.h"
+#include "slam/base/stopwatch.h"
 
 namespace ariadne::experiments {
 

@@ -11,10 +11,10 @@
 #include "experiments/run/data_path.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
-#include "experiments/run/stopwatch.h"
 #include "experiments/studies/graph_minima.h"
 #include "experiments/studies/graph_tables.h"
 #include "slam/base/error.h"
+#include "slam/base/stopwatch.h"
 #include "slam/io/file.h"
 #include "slam/io/scan_list.h"
 
