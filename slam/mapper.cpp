@@ -7,21 +7,23 @@ namespace ariadne::slam {
 Mapper::Mapper(const MapperOptions& options) : options_(options) { CheckOptions(options); }
 
 MatchResult Mapper::AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress) {
-  scans_.push_back(Prepare(scan_odom));
+  map_.scans.push_back(Prepare(scan_odom));
   last_T_odom_laser_ = scan_odom.T_map_laser;
-  if (scans_.size() > 1) return MatchNewScan(scans_, options_.registration, options_.icp, on_progress);
-  scans_.front().registered = true;
+  if (map_.scans.size() > 1) return MatchNewScan(map_, options_.registration, options_.icp, on_progress);
+  map_.scans.front().registered = true;
   MatchResult result;
   result.registered = true;
-  result.T_map_laser_guess = scans_.front().T_map_laser;
+  result.T_map_laser_guess = map_.scans.front().T_map_laser;
   result.message = "master: it defines the map's coordinates";
   return result;
 }
 
+MatchResult Mapper::Finish() { return FinishMatching(map_, options_.registration, options_.icp); }
+
 void Mapper::RestoreScan(const PosedCloud& scan_odom, const Pose3& T_map_laser, bool registered) {
-  scans_.push_back(Prepare(scan_odom));
-  scans_.back().T_map_laser = T_map_laser;
-  scans_.back().registered = registered;
+  map_.scans.push_back(Prepare(scan_odom));
+  map_.scans.back().T_map_laser = T_map_laser;
+  map_.scans.back().registered = registered;
   last_T_odom_laser_ = scan_odom.T_map_laser;
 }
 
@@ -40,8 +42,8 @@ MapScan Mapper::Prepare(const PosedCloud& scan_odom) const {
 }
 
 Pose3 Mapper::Guess(const Pose3& T_odom_laser) const {
-  if (scans_.empty()) return T_odom_laser;
-  return scans_.back().T_map_laser * (last_T_odom_laser_.Inverse() * T_odom_laser);
+  if (map_.scans.empty()) return T_odom_laser;
+  return map_.scans.back().T_map_laser * (last_T_odom_laser_.Inverse() * T_odom_laser);
 }
 
 }  // namespace ariadne::slam

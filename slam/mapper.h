@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "slam/reduce/reduce.h"
 #include "slam/matching/match.h"
 #include "slam/matching/match_options.h"
+#include "slam/reduce/reduce.h"
 #include "slam/scan/point_cloud.h"
 
 namespace ariadne::slam {
@@ -52,9 +52,17 @@ class Mapper {
   /// scan is the master: it stays at its pose, and defines the map's coordinate system.
   MatchResult AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress = {});
 
+  /// Makes the poses of all scans agree once more, when no more scans come (FinishMatching).
+  MatchResult Finish();
+
   /// Puts back a scan that an earlier run has added, at the pose that it had come to.
   void RestoreScan(const PosedCloud& scan_odom, const Pose3& T_map_laser, bool registered);
-  const std::vector<MapScan>& scans() const { return scans_; }
+  /// Puts back what the earlier run knew of how the scans lie to each other; after the scans.
+  void RestoreGraph(const ScanGraph& graph) { map_.graph = graph; }
+
+  const std::vector<MapScan>& scans() const { return map_.scans; }
+  /// With the methods graph and joint.
+  const ScanGraph& graph() const { return map_.graph; }
   const MapperOptions& options() const { return options_; }
 
  private:
@@ -62,7 +70,7 @@ class Mapper {
   Pose3 Guess(const Pose3& T_odom_laser) const;
 
   MapperOptions options_;
-  std::vector<MapScan> scans_;
+  ScanMap map_;
   Pose3 last_T_odom_laser_;
 };
 

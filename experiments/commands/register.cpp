@@ -72,7 +72,7 @@ void AddRegisterCommand(CLI::App& app, int& status) {
   command->add_option("folder", arguments->folder, "Folder of scans, or builtin:office");
   command->add_option("--format", arguments->format,
                       "uos, xyz, ply, pcd or kitti; without it: by extension");
-  command->add_option("--method", arguments->method, "pairwise, metascan or simultaneous");
+  command->add_option("--method", arguments->method, "pairwise, metascan, simultaneous, graph or joint");
   command->add_option("--config", arguments->config, "YAML file of options");
   command->add_option("--out", arguments->target.out, "Run directory")->required();
   AddSetFlag(*command, arguments->assignments);

@@ -1,8 +1,10 @@
 #include "experiments/studies/ablation_matching.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
+#include <sstream>
 
 #include "experiments/metrics/statistics.h"
 #include "experiments/run/manifest.h"
@@ -15,8 +17,22 @@ namespace ariadne::experiments {
 namespace {
 
 constexpr const char* kCheckpoint = "checkpoint.json";
-constexpr std::array kMethods{slam::MatchMethod::kPairwise, slam::MatchMethod::kMetascan,
-                              slam::MatchMethod::kSimultaneous};
+constexpr slam::MatchMethod kReference = slam::MatchMethod::kSimultaneous;
+using Methods = std::vector<slam::MatchMethod>;
+
+Methods ParseMethods(const std::string& names) {
+  constexpr auto& kNames = EnumNames<slam::MatchMethod>::value;
+  Methods methods;
+  std::istringstream stream(names);
+  for (std::string name; std::getline(stream >> std::ws, name, ',');) {
+    const auto found = std::ranges::find(kNames, name);
+    if (found == kNames.end()) Fail("methods: {} is none of {}", name, fmt::join(kNames, ", "));
+    methods.push_back(static_cast<slam::MatchMethod>(found - kNames.begin()));
+  }
+  if (std::ranges::find(methods, kReference) == methods.end())
+    Fail("methods: {} is missing, against which the others are compared", NameOf(kReference));
+  return methods;
+}
 
 std::vector<LabelledTrial> TrialsSoFar(const RunDirectory& run) {
   std::vector<LabelledTrial> trials;
@@ -33,8 +49,9 @@ void WriteCheckpoint(const std::vector<LabelledTrial>& trials, const RunDirector
 }
 
 /// All methods on one tour, with the odometry for comparison, and the truth for what the scanner leaves.
-std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, double noise, int seed,
-                                   const TrueBuilding& building, const Parallel& parallel) {
+std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, const Methods& methods,
+                                   double noise, int seed, const TrueBuilding& building,
+                                   const Parallel& parallel) {
   TourOptions tour_options = options.input.tour;
   tour_options.odometry_noise = noise;
   tour_options.seed = seed;
@@ -43,7 +60,7 @@ std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, doubl
   for (const slam::PosedCloud& scan : scans.scans) T_odom_laser.push_back(scan.T_map_laser);
   std::vector<LabelledTrial> trials{
       {noise, seed, "odometry", JudgePoses(scans, building, T_odom_laser, parallel)}};
-  for (const slam::MatchMethod method : kMethods) {
+  for (const slam::MatchMethod method : methods) {
     slam::MapperOptions mapper = options.mapper;
     mapper.registration.method = method;
     trials.push_back(
@@ -54,9 +71,9 @@ std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, doubl
 }
 
 /// Median seconds of each method over all tours.
-Json TimingOf(const std::vector<LabelledTrial>& trials) {
+Json TimingOf(const std::vector<LabelledTrial>& trials, const Methods& methods) {
   Json timing;
-  for (const slam::MatchMethod method : kMethods) {
+  for (const slam::MatchMethod method : methods) {
     std::vector<double> seconds;
     for (const LabelledTrial& t : trials) {
       if (t.method == NameOf(method)) seconds.push_back(t.trial.seconds);
@@ -66,17 +83,16 @@ Json TimingOf(const std::vector<LabelledTrial>& trials) {
   return timing;
 }
 
-std::string Report(const AblationMatchingOptions& options, const std::vector<LabelledTrial>& trials,
-                   const RunDirectory& run) {
+std::string Report(const AblationMatchingOptions& options, const Methods& methods,
+                   const std::vector<LabelledTrial>& trials, const RunDirectory& run) {
   const Table medians = MedianTable(trials, options.bootstrap);
-  const Table paired =
-      PairedTable(trials, std::string(NameOf(slam::MatchMethod::kSimultaneous)), options.bootstrap);
+  const Table paired = PairedTable(trials, std::string(NameOf(kReference)), options.bootstrap);
   run.WriteCsv("trials.csv", TrialTable(trials));
   run.WriteCsv("medians.csv", medians);
   run.WriteCsv("paired.csv", paired);
   run.WriteText("medians.tex", ToLatex(medians));
   run.WriteText("paired.tex", ToLatex(paired));
-  run.WriteJson("timing.json", TimingOf(trials));
+  run.WriteJson("timing.json", TimingOf(trials, methods));
   return fmt::format("medians over {} tours with their {:.0f} % intervals\n{}\npaired differences\n{}",
                      options.seeds, 100.0 * options.bootstrap.confidence, ToText(medians), ToText(paired));
 }
@@ -90,11 +106,12 @@ std::string RunAblationMatching(const AblationMatchingOptions& options, const Ru
          options.input.folder);
   }
   const std::vector<double> levels = ParseNumbers(options.noise_levels, "noise_levels");
+  const Methods methods = ParseMethods(options.methods);
   WriteManifest(run, {});
   const TrueBuilding building(SimulatedTour(options.input.tour).scene().world());
   const Parallel parallel(options.threads);
   std::vector<LabelledTrial> trials = TrialsSoFar(run);
-  const std::size_t per_tour = kMethods.size() + 2;
+  const std::size_t per_tour = methods.size() + 2;
   const std::size_t tours = levels.size() * static_cast<std::size_t>(options.seeds);
   for (std::size_t i = trials.size() / per_tour; i < tours; ++i) {
     run.WriteProgress("running", i, tours);
@@ -102,12 +119,12 @@ std::string RunAblationMatching(const AblationMatchingOptions& options, const Ru
     const int seed = options.input.tour.seed + static_cast<int>(i) % options.seeds;
     progress.Show(fmt::format("tour {} of {}: noise {}, seed {}, {}", i + 1, tours, noise, seed,
                               progress.Eta(static_cast<double>(i) / static_cast<double>(tours))));
-    for (LabelledTrial& trial : RunTour(options, noise, seed, building, parallel)) {
+    for (LabelledTrial& trial : RunTour(options, methods, noise, seed, building, parallel)) {
       trials.push_back(std::move(trial));
     }
     WriteCheckpoint(trials, run);
   }
-  std::string text = Report(options, trials, run);
+  std::string text = Report(options, methods, trials, run);
   std::filesystem::remove(run.path() / kCheckpoint);
   FinishRun(run, "Ways of matching many scans, on simulated tours", tours);
   return text;

@@ -21,7 +21,9 @@ struct Panel {
 const std::vector<Panel> kPanels{{"Odometry", "odometry"},
                                  {"(a) Pairwise matching", "pairwise"},
                                  {"(b) Incremental matching", "metascan"},
-                                 {"(d) Simultaneous matching", "simultaneous"}};
+                                 {"(d) Simultaneous matching", "simultaneous"},
+                                 {"Graph of relative poses", "graph"},
+                                 {"Joint matching", "joint"}};
 
 MatchingTrial Try(const Panel& panel, const Fig04Options& options, const TourScans& scans,
                   const TrueBuilding& building, const Parallel& parallel) {
@@ -31,8 +33,8 @@ MatchingTrial Try(const Panel& panel, const Fig04Options& options, const TourSca
     return JudgePoses(scans, building, std::move(T_odom_laser), parallel);
   }
   slam::MapperOptions mapper = options.mapper;
-  for (const auto method :
-       {slam::MatchMethod::kPairwise, slam::MatchMethod::kMetascan, slam::MatchMethod::kSimultaneous}) {
+  for (std::size_t m = 0; m < EnumNames<slam::MatchMethod>::value.size(); ++m) {
+    const auto method = static_cast<slam::MatchMethod>(m);
     if (NameOf(method) == panel.method) mapper.registration.method = method;
   }
   return TryMatching(scans, building, mapper, parallel);

@@ -3,7 +3,7 @@
 #include "experiments/metrics/map_error.h"
 #include "experiments/metrics/trajectory_error.h"
 #include "experiments/metrics/wall_thickness.h"
-#include "experiments/run/stopwatch.h"
+#include "slam/base/stopwatch.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -76,6 +76,7 @@ MatchingTrial TryMatching(const TourScans& scans, const TrueBuilding& building,
   slam::Mapper mapper(options);
   std::size_t registered = 0;
   for (const slam::PosedCloud& scan : scans.scans) registered += mapper.AddScan(scan).registered ? 1 : 0;
+  mapper.Finish();
   const double seconds = watch.Seconds();
   std::vector<slam::Pose3> T_map_laser;
   for (const slam::MapScan& scan : mapper.scans()) T_map_laser.push_back(scan.T_map_laser);

@@ -31,6 +31,7 @@ State Start(const RegisterOptions& options, const ScanSource& source, const RunD
   for (std::size_t i = 0; i < state.log.registered.size(); ++i) {
     state.mapper.RestoreScan(source.Read(i), state.log.T_map_laser[i], state.log.registered[i]);
   }
+  state.mapper.RestoreGraph(state.log.graph);
   return state;
 }
 
@@ -59,6 +60,15 @@ void AddScan(State& state, const ScanSource& source, const RunDirectory& run, Pr
       fmt::format("{}: {}{}", label, result.registered ? "" : "NOT REGISTERED: ", result.message));
 }
 
+/// Moves the scans once more; a run that is killed here does it again.
+void Finish(State& state, ProgressDisplay& progress) {
+  const Stopwatch finishing;
+  const slam::MatchResult result = state.mapper.Finish();
+  state.timing["finish_s"] = finishing.Seconds();
+  state.log.AddFinish(state.mapper, result);
+  if (!result.message.empty()) progress.Keep(result.message);
+}
+
 }  // namespace
 
 std::string RegisterConfig(const RegisterOptions& options) {
@@ -74,6 +84,7 @@ RegisterSummary RunRegister(const RegisterOptions& options, const RunDirectory& 
   WriteManifest(run, source.Files(), state.log.registered.size());
   run.WriteProgress("running", state.log.registered.size(), source.size());
   while (state.log.registered.size() < source.size()) AddScan(state, source, run, progress);
+  Finish(state, progress);
 
   const Stopwatch writing;
   WriteRegisterOutput(options, source, state.log, run, progress);

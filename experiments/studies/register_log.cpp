@@ -32,24 +32,6 @@ std::vector<std::string> CovarianceRow(std::size_t step, std::size_t scan,
   return row;
 }
 
-Json ToJson(const Table& table) { return {{"columns", table.columns}, {"rows", table.rows}}; }
-
-Table TableFromJson(const Json& json) {
-  return {json.at("columns").get<std::vector<std::string>>(),
-          json.at("rows").get<std::vector<std::vector<std::string>>>()};
-}
-
-Json ToJson(const slam::Pose3& pose) {
-  const Eigen::Quaterniond& q = pose.rotation;
-  const Eigen::Vector3d& t = pose.translation;
-  return {t.x(), t.y(), t.z(), q.x(), q.y(), q.z(), q.w()};
-}
-
-slam::Pose3 PoseFromJson(const Json& json) {
-  const auto v = json.get<std::vector<double>>();
-  return {Eigen::Quaterniond(v.at(6), v.at(3), v.at(4), v.at(5)), {v.at(0), v.at(1), v.at(2)}};
-}
-
 }  // namespace
 
 RegisterLog::RegisterLog() {
@@ -59,6 +41,10 @@ RegisterLog::RegisterLog() {
                    "pairs", "rms_m", "moved_m",  "moved_rad", "requeued"};
   iterations.columns = {"step", "iteration", "max_distance_m", "pairs", "rms_m", "step_m", "step_rad"};
   covariances.columns = CovarianceColumns();
+  closures.columns = {"from",  "to",      "status",           "pairs",    "overlap",
+                      "rms_m", "moved_m", "squared_distance", "accepted", "verdict"};
+  passes.columns = {"after_scan", "of",    "scans",   "links",     "pairs",
+                    "iterations", "rms_m", "moved_m", "moved_rad", "settled"};
 }
 
 void RegisterLog::Add(const slam::Mapper& mapper, const slam::MatchResult& result,
@@ -90,37 +76,32 @@ void RegisterLog::Add(const slam::Mapper& mapper, const slam::MatchResult& resul
     if (align.assessment)
       covariances.rows.push_back(CovarianceRow(number, step.scan, align.assessment->covariance));
   }
-  T_map_laser.clear();
-  for (const slam::MapScan& s : mapper.scans()) T_map_laser.push_back(s.T_map_laser);
+  AddPasses(mapper, result);
   registered.push_back(result.registered);
   points.push_back(points_in_range);
   has_reflectance = has_reflectance && with_reflectance;
 }
 
-Json ToJson(const RegisterLog& log) {
-  Json poses = Json::array();
-  for (const slam::Pose3& pose : log.T_map_laser) poses.push_back(ToJson(pose));
-  return {{"scans", ToJson(log.scans)},
-          {"steps", ToJson(log.steps)},
-          {"iterations", ToJson(log.iterations)},
-          {"covariances", ToJson(log.covariances)},
-          {"T_map_laser", poses},
-          {"registered", log.registered},
-          {"points", log.points},
-          {"has_reflectance", log.has_reflectance}};
+void RegisterLog::AddFinish(const slam::Mapper& mapper, const slam::MatchResult& result) {
+  AddPasses(mapper, result);
 }
 
-RegisterLog RegisterLogFromJson(const Json& json) {
-  RegisterLog log;
-  log.scans = TableFromJson(json.at("scans"));
-  log.steps = TableFromJson(json.at("steps"));
-  log.iterations = TableFromJson(json.at("iterations"));
-  log.covariances = TableFromJson(json.at("covariances"));
-  for (const Json& pose : json.at("T_map_laser")) log.T_map_laser.push_back(PoseFromJson(pose));
-  log.registered = json.at("registered").get<std::vector<bool>>();
-  log.points = json.at("points").get<std::vector<std::size_t>>();
-  log.has_reflectance = json.at("has_reflectance").get<bool>();
-  return log;
+void RegisterLog::AddPasses(const slam::Mapper& mapper, const slam::MatchResult& result) {
+  const std::string after = std::to_string(mapper.scans().size() - 1);
+  for (const slam::Closure& c : result.closures) {
+    closures.rows.push_back({std::to_string(c.from), std::to_string(c.to),
+                             std::string(Name(c.align.status)), std::to_string(c.align.pairs),
+                             Exact(c.align.overlap), Exact(c.align.rms), Exact(c.moved_translation),
+                             Exact(c.squared_distance), c.accepted ? "yes" : "no", c.verdict});
+  }
+  for (const slam::MatchPass& p : result.passes) {
+    passes.rows.push_back({after, p.of, std::to_string(p.scans), std::to_string(p.links),
+                           std::to_string(p.pairs), std::to_string(p.iterations), Exact(p.rms),
+                           Exact(p.moved_translation), Exact(p.moved_rotation), p.settled ? "yes" : "no"});
+  }
+  graph = mapper.graph();
+  T_map_laser.clear();
+  for (const slam::MapScan& s : mapper.scans()) T_map_laser.push_back(s.T_map_laser);
 }
 
 }  // namespace ariadne::experiments

@@ -10,6 +10,7 @@
 #include "experiments/render/png_file.h"
 #include "experiments/report/map_pictures.h"
 #include "slam/io/file.h"
+#include "slam/io/g2o.h"
 #include "slam/io/ply.h"
 #include "slam/io/trajectory.h"
 #include "slam/io/uos_pose.h"
@@ -33,9 +34,12 @@ steps.csv       a line per alignment: which scan, to which others, how it ended,
 iterations.csv  a line per iteration of each alignment
 covariances.csv a line per alignment: upper triangle of the covariance of T_map_laser in its tangent space,
                 (x, y, z, rx, ry, rz) in the frame of the laser
+closures.csv    graph, joint: a line per closure of a loop that was tried
+passes.csv      graph, joint: a line per optimization of many poses at once
 residuals.csv   distances between overlapping scans, before (odometry) and after
 trajectory.tum  the pose of the laser at each scan, the number of the scan as its time (evo reads this)
 poses.txt       the same as 3x4 matrices after the names of the scans
+graph.g2o       graph, joint: the scans as a pose graph with its edges (ariadne optimize reads this)
 scans/*.frames  the pose of each scan, before and after, for 3DTK's show (centimetres, left-handed)
 map.ply         all points within range, in map coordinates, with scan index and colour per scan
                 (CloudCompare, MeshLab)
@@ -49,6 +53,11 @@ void WriteTables(const RegisterLog& log, const RunDirectory& run) {
   run.WriteCsv("steps.csv", log.steps);
   run.WriteCsv("iterations.csv", log.iterations);
   run.WriteCsv("covariances.csv", log.covariances);
+  if (log.graph.graph.nodes.empty()) return;
+  run.WriteCsv("closures.csv", log.closures);
+  run.WriteCsv("passes.csv", log.passes);
+  slam::WriteFileAtomically(run.File("graph.g2o"),
+                            [&](std::ostream& out) { slam::WriteG2o(out, log.graph.graph); });
 }
 
 void WritePoses(const ScanSource& source, const RegisterLog& log, const RunDirectory& run) {

@@ -76,6 +76,11 @@ Json TruthMetrics(const ScanSource& source, const RegisterLog& log) {
   return {{"odometry", errors(odometry)}, {"map", errors(log.T_map_laser)}};
 }
 
+std::size_t CountAccepted(const RegisterLog& log) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(log.closures.rows, [](const auto& row) { return row[8] == "yes"; }));
+}
+
 std::string ErrorSentence(const Json& truth) {
   if (truth.is_null()) return "";
   const auto cm = [&](const char* which) {
@@ -122,6 +127,9 @@ RegisterSummary ReportRegistration(const RegisterOptions& options, const ScanSou
   run.WriteJson("metrics.json", {{"scans", summary.scans},
                                  {"registered", summary.scans - summary.unregistered},
                                  {"alignments", log.steps.rows.size()},
+                                 {"closures_tried", log.closures.rows.size()},
+                                 {"closures", CountAccepted(log)},
+                                 {"passes", log.passes.rows.size()},
                                  {"overlapping_pairs", residuals.size()},
                                  {"median_plane_distance_before_m", before},
                                  {"median_plane_distance_after_m", after},

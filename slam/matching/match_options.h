@@ -1,6 +1,7 @@
 #pragma once
 
 #include "slam/base/options.h"
+#include "slam/graph/graph_options.h"
 #include "slam/registration/options.h"
 
 namespace ariadne::slam {
@@ -10,6 +11,82 @@ enum class MatchMethod {
   kPairwise,      // to the earlier scan with the largest overlap
   kMetascan,      // to the union of all earlier scans
   kSimultaneous,  // pairwise first; then all scans that a motion concerns, through a queue
+  kGraph,         // to several earlier scans one by one; then the poses that agree best with all alignments
+  kJoint,         // pairwise first; then all scans at once, by all point pairs between them
+};
+
+/// How closures are found: scans that might overlap, did they but lie where they could (loop_closure.h).
+struct ClosureOptions {
+  bool enabled = true;
+  double reach = 6.0;
+  double min_overlap = 0.3;
+  double max_rms = 0.05;
+  double confidence = 0.999;
+  int max_candidates = 2;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("enabled", self.enabled, "look for scans beyond the gate that the new one may overlap");
+    visit("reach", self.reach, Unit("m"), Range{0.0, 1e4},
+          "farther apart than this, by more than three sigma, scans are not looked at");
+    visit("min_overlap", self.min_overlap, Unit(""), Range{0.0, 1.0},
+          "share of the new scan's points that must have found a pair, or the closure is refused");
+    visit("max_rms", self.max_rms, Unit("m"), Range{0.0, 10.0},
+          "of the closure's residuals, or it is refused: several times the noise of the scanner");
+    visit("confidence", self.confidence, Unit(""), Range{0.5, 0.9999999},
+          "of the chi-square bound on the difference between a closure and what the graph predicts");
+    visit("max_candidates", self.max_candidates, Unit(""), Range{0, 1000},
+          "that are tried for each new scan, the most likely first");
+  }
+};
+
+/// What the methods graph and joint do beside the alignments.
+struct ScanGraphOptions {
+  int further_edges = 3;
+  double odometry_position = 0.1;
+  double odometry_angle = 0.05;
+  double systematic_position = 0.0;
+  double systematic_angle = 0.0;
+  GraphRobust robust = GraphRobust::kDcs;
+  ClosureOptions closure;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("further_edges", self.further_edges, Unit(""), Range{0, 1000},
+          "graph: alignments of a new scan beside the first, to the scans that overlap it most");
+    visit("odometry_position", self.odometry_position, Unit("m/m"), Range{1e-6, 1e3},
+          "sigma of the odometry's position by the way between two scans, beside 5 cm; it only holds what "
+          "no surface does");
+    visit("odometry_angle", self.odometry_angle, Unit("rad/m"), Range{1e-6, 1e3},
+          "and of its angles, beside 0.05 rad");
+    visit("systematic_position", self.systematic_position, Unit("m"), Range{0.0, 10.0},
+          "sigma that each alignment has beside its covariance: what the scanner does alike in all scans");
+    visit("systematic_angle", self.systematic_angle, Unit("rad"), Range{0.0, 1.0},
+          "the same of the angles");
+    visit("robust", self.robust, "what keeps a wrong closure from bending the map");
+    visit("closure", self.closure, "closures of loops that have drifted beyond the gate");
+  }
+};
+
+/// The iterations of the method joint: pairs, then poses, and again.
+struct JointOptions {
+  double start_step = 1e-3;
+  int pass_every = 0;
+  int max_iterations = 30;
+  double convergence = 1e-4;
+  bool both_ways = false;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("start_step", self.start_step, Unit("m, rad"), Range{0.0, 1.0},
+          "the alignment of a new scan ends at shorter steps: the pass over all scans goes on from there");
+    visit("pass_every", self.pass_every, Unit("scans"), Range{0, 1000000},
+          "all scans move after every so many new ones; 0: only at the end, and after a closure");
+    visit("max_iterations", self.max_iterations, Unit(""), Range{1, 10000}, "of a pass over all scans");
+    visit("convergence", self.convergence, Unit("m, rad"), Range{0.0, 1.0},
+          "a pass ends when no pose moves by more in translation and rotation");
+    visit("both_ways", self.both_ways, "pair the points of both scans with the other's, not only one's");
+  }
 };
 
 struct MatchOptions {
@@ -18,10 +95,12 @@ struct MatchOptions {
   double moved_translation = 0.05;
   double moved_rotation = 0.005;
   int max_pops = 20;
+  ScanGraphOptions graph;
+  JointOptions joint;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
-    visit("method", self.method, "the paper compares all three (3.2, Fig. 4)");
+    visit("method", self.method, "the paper compares the first three (3.2, Fig. 4)");
     visit("overlap_pairs", self.overlap_pairs, Unit("pairs"), Range{0, 1e9},
           "two scans overlap if they have more closest-point pairs than this within the gate (3.2: 250)");
     visit("moved_translation", self.moved_translation, Unit("m"), Range{0.0, 100.0},
@@ -31,6 +110,8 @@ struct MatchOptions {
           "or turns by more; open in the paper, 0.005 rad is 5 cm at the 10 m that a room scan reaches");
     visit("max_pops", self.max_pops, Unit("per scan"), Range{1, 1e6},
           "bound on the queue's length of work, as the paper proves no end; reached: the log says so");
+    visit("graph", self.graph, "of the methods graph and joint");
+    visit("joint", self.joint, "of the method joint");
   }
 };
 
@@ -40,7 +121,8 @@ namespace ariadne {
 
 template <>
 struct EnumNames<slam::MatchMethod> {
-  static constexpr std::array<std::string_view, 3> value{"pairwise", "metascan", "simultaneous"};
+  static constexpr std::array<std::string_view, 5> value{"pairwise", "metascan", "simultaneous", "graph",
+                                                         "joint"};
 };
 
 }  // namespace ariadne

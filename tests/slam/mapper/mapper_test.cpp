@@ -42,7 +42,8 @@ Mapper MapTour(const MapperOptions& options, std::size_t scans = kScans) {
 class MapperBy : public testing::TestWithParam<MatchMethod> {};
 INSTANTIATE_TEST_SUITE_P(Methods, MapperBy,
                          testing::Values(MatchMethod::kPairwise, MatchMethod::kMetascan,
-                                         MatchMethod::kSimultaneous),
+                                         MatchMethod::kSimultaneous, MatchMethod::kGraph,
+                                         MatchMethod::kJoint),
                          [](const auto& method) { return std::string(NameOf(method.param)); });
 
 TEST_P(MapperBy, BringsTheScansOfTheOfficeToTheirPlaces) {
@@ -94,25 +95,34 @@ TEST(Mapper, GuessesFromTheCorrectedPoseOfTheScanBefore) {
               NearPose(last * before.T_map_laser.Inverse() * next.T_map_laser, 1e-12));
 }
 
-TEST(Mapper, GoesOnFromRestoredScansAsIfItHadNeverStopped) {
-  const Mapper whole = MapTour({});
-  const Mapper killed = MapTour({}, 2);
-  Mapper resumed{MapperOptions()};
+TEST_P(MapperBy, GoesOnFromRestoredScansAsIfItHadNeverStopped) {
+  MapperOptions options;
+  options.registration.method = GetParam();
+  Mapper whole = MapTour(options);
+  const Mapper killed = MapTour(options, 2);
+  Mapper resumed(options);
   for (std::size_t i = 0; i < 2; ++i) {
     const MapScan& scan = killed.scans()[i];
     resumed.RestoreScan(ScanByOdometry(i), scan.T_map_laser, scan.registered);
   }
+  resumed.RestoreGraph(killed.graph());
   for (std::size_t i = 2; i < kScans; ++i) resumed.AddScan(ScanByOdometry(i));
+  whole.Finish();
+  resumed.Finish();
   for (std::size_t i = 0; i < kScans; ++i) {
     EXPECT_THAT(resumed.scans()[i].T_map_laser, NearPose(whole.scans()[i].T_map_laser, 0.0)) << i;
     EXPECT_EQ(resumed.scans()[i].registered, whole.scans()[i].registered);
   }
 }
 
-TEST(Mapper, DoesNotDependOnTheNumberOfThreads) {
-  MapperOptions two_threads;
-  two_threads.icp.threads = 2;
-  const Mapper one = MapTour({}, 3), two = MapTour(two_threads, 3);
+TEST_P(MapperBy, DoesNotDependOnTheNumberOfThreads) {
+  MapperOptions options;
+  options.registration.method = GetParam();
+  Mapper one = MapTour(options, 3);
+  options.icp.threads = 2;
+  Mapper two = MapTour(options, 3);
+  one.Finish();
+  two.Finish();
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_THAT(two.scans()[i].T_map_laser, NearPose(one.scans()[i].T_map_laser, 0.0)) << i;
   }

@@ -142,7 +142,8 @@ TEST(MatchQueue, LeavesAScanWhoseMotionHasEndedItsOverlap) {
   // of the overlap then is just as much as is not enough.
   RandomStream stream = NamedStream(1, "match_queue_test/corner");
   const Pose3 guess{Eigen::Quaterniond::Identity(), {-0.2, 0.0, 0.0}};
-  std::vector<MapScan> scans;
+  ScanMap map;
+  std::vector<MapScan>& scans = map.scans;
   scans.push_back(Corner(5.0, Pose3(), stream));
   scans.push_back(Corner(5.4, guess, stream));
   AlignOptions align;
@@ -151,14 +152,14 @@ TEST(MatchQueue, LeavesAScanWhoseMotionHasEndedItsOverlap) {
   const std::size_t before = CountOverlap(scans[0], scans[1], 0.25, Parallel(1));
   MatchOptions match;
   match.method = MatchMethod::kPairwise;
-  ASSERT_TRUE(MatchNewScan(scans, match, align).registered);
+  ASSERT_TRUE(MatchNewScan(map, match, align).registered);
   const std::size_t after = CountOverlap(scans[0], scans[1], 0.25, Parallel(1));
   ASSERT_LT(after, before);
 
   scans[1].T_map_laser = guess;
   match.method = MatchMethod::kSimultaneous;
   match.overlap_pairs = static_cast<int>(after);
-  const MatchResult result = MatchNewScan(scans, match, align);
+  const MatchResult result = MatchNewScan(map, match, align);
   EXPECT_TRUE(result.registered);
   EXPECT_EQ(result.steps.size(), 1u);
   EXPECT_THAT(result.message, EndsWith("; 1 pops"));

@@ -23,7 +23,8 @@ class MatchBy : public testing::TestWithParam<MatchMethod> {
 };
 INSTANTIATE_TEST_SUITE_P(Methods, MatchBy,
                          testing::Values(MatchMethod::kPairwise, MatchMethod::kMetascan,
-                                         MatchMethod::kSimultaneous),
+                                         MatchMethod::kSimultaneous, MatchMethod::kGraph,
+                                         MatchMethod::kJoint),
                          [](const auto& method) { return std::string(NameOf(method.param)); });
 
 TEST_P(MatchBy, BringsTheScansOfTheTourToTheirPlaces) {
@@ -85,12 +86,12 @@ TEST_P(MatchBy, DoesNotTakeAPoseFromAFailedAlignment) {
 }
 
 TEST_P(MatchBy, HasNothingToMatchToBeforeTheFirstScanIsRegistered) {
-  std::vector<MapScan> scans;
-  scans.push_back(ScanAt(Pose3(), 0));
-  EXPECT_EQ(MatchNewScan(scans, match_, align_).message, "no scan is registered yet");
-  scans.push_back(ScanAt(Pose3(), 1));
-  EXPECT_EQ(MatchNewScan(scans, match_, align_).message, "no scan is registered yet");
-  EXPECT_THAT(MatchNewScan(scans, match_, align_).steps, IsEmpty());
+  ScanMap map;
+  map.scans.push_back(ScanAt(Pose3(), 0));
+  EXPECT_EQ(MatchNewScan(map, match_, align_).message, "no scan is registered yet");
+  map.scans.push_back(ScanAt(Pose3(), 1));
+  EXPECT_EQ(MatchNewScan(map, match_, align_).message, "no scan is registered yet");
+  EXPECT_THAT(MatchNewScan(map, match_, align_).steps, IsEmpty());
 }
 
 TEST_P(MatchBy, LeavesAScanWithoutPoints) {

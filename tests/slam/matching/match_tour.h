@@ -25,12 +25,12 @@ class Tour {
  public:
   Tour(const MatchOptions& match, const AlignOptions& align, MatchCallback on_progress = {})
       : match_(match), align_(align), on_progress_(std::move(on_progress)) {
-    scans_.push_back(ScanAt(Truth(0), 0));
-    scans_.back().registered = true;
+    map_.scans.push_back(ScanAt(Truth(0), 0));
+    map_.scans.back().registered = true;
   }
 
   std::size_t size() const { return stops_.size(); }
-  const std::vector<MapScan>& scans() const { return scans_; }
+  const std::vector<MapScan>& scans() const { return map_.scans; }
   Pose3 Truth(std::size_t stop) const { return LaserAt(stops_[stop]); }
 
   /// The scan at the next stop, at its guess.
@@ -43,7 +43,7 @@ class Tour {
   }
   MatchResult AddNext() {
     MatchResult result = Add(Next());
-    last_pose_ = scans_.back().T_map_laser;
+    last_pose_ = map_.scans.back().T_map_laser;
     error_of_guess_ = TranslationDistance(guess_, Truth(next_));
     ++next_;
     return result;
@@ -56,9 +56,12 @@ class Tour {
   }
   MatchResult Add(MapScan scan) {
     guess_ = scan.T_map_laser;
-    scans_.push_back(std::move(scan));
-    return MatchNewScan(scans_, match_, align_, on_progress_);
+    map_.scans.push_back(std::move(scan));
+    return MatchNewScan(map_, match_, align_, on_progress_);
   }
+
+  MatchResult Finish() { return FinishMatching(map_, match_, align_); }
+  const ScanGraph& graph() const { return map_.graph; }
 
   /// Of the scan that was added last.
   const Pose3& guess() const { return guess_; }
@@ -69,7 +72,7 @@ class Tour {
   AlignOptions align_;
   MatchCallback on_progress_;
   std::vector<Pose2> stops_ = drivers::OfficeTour();
-  std::vector<MapScan> scans_;
+  ScanMap map_;
   std::size_t next_ = 1;
   Pose3 last_pose_ = LaserAt(stops_[0]);
   Pose3 guess_;
