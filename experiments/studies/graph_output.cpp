@@ -4,8 +4,6 @@
 
 #include "experiments/render/png_file.h"
 #include "experiments/report/graph_picture.h"
-#include "experiments/studies/graph_tables.h"
-#include "slam/graph/optimize/covariance.h"
 #include "slam/io/file.h"
 #include "slam/io/g2o.h"
 #include "slam/io/trajectory.h"
@@ -79,10 +77,6 @@ void WriteOptimizedGraph(const PoseGraph<Pose>& guess, const slam::OptimizeResul
   slam::WriteFileAtomically(run.File("optimized.g2o"),
                             [&](std::ostream& out) { slam::WriteG2o(out, optimized); });
   WriteTrajectory(optimized, run);
-  if (options.covariances) {
-    const auto covariances = slam::MarginalCovariances(minimum.graph, {}, minimum.edge_weights);
-    run.WriteCsv("covariances.csv", SigmaTable(minimum.graph, covariances));
-  }
   if (!options.figures) return;
   WritePng(run.File("figures/graph.png"),
            GraphPicture(Drawn(minimum), Positions(guess), Positions(optimized), "Before: the file's guess",

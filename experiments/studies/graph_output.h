@@ -7,7 +7,7 @@
 namespace ariadne::experiments {
 
 /// Writes what an optimization has made of a graph: the file's graph at the poses of the minimum, as .g2o
-/// and as a trajectory, the uncertainty of the poses if asked for, pictures, and what the files are.
+/// and as a trajectory, pictures, and what the files of the run are.
 template <typename Pose>
 void WriteOptimizedGraph(const slam::PoseGraph<Pose>& guess, const slam::OptimizeResult<Pose>& minimum,
                          const OptimizeOptions& options, const RunDirectory& run);

@@ -59,12 +59,22 @@ std::string ProblemOf(const GraphMinima<Pose>& minima) {
   return "";
 }
 
+/// Writes how certain the poses are; returns how long that took. [s]
+template <typename Pose>
+double WriteCovariances(const slam::OptimizeResult<Pose>& minimum, const RunDirectory& run) {
+  const Stopwatch watch;
+  const auto covariances = slam::MarginalCovariances(minimum.graph, {}, minimum.edge_weights);
+  run.WriteCsv("covariances.csv", SigmaTable(minimum.graph, covariances));
+  return watch.Seconds();
+}
+
 template <typename Pose>
 OptimizeSummary OptimizeFile(const slam::G2oFile& file, const slam::PoseGraph<Pose>& graph,
                              const OptimizeOptions& options, const RunDirectory& run,
                              ProgressDisplay& progress, Json times) {
   const GraphMinima<Pose> minima = FindMinima(file, graph, options, progress);
   times.update(TimesOf(minima));
+  if (options.covariances) times["covariances_s"] = WriteCovariances(minima.best(), run);
   const Stopwatch writing;
   const Table edges = EdgeTable(file, graph, minima.best());
   run.WriteCsv("edges.csv", edges);
