@@ -61,7 +61,7 @@ void AddOptimizeCommand(CLI::App& app, int& status) {
                       "Graph in the format of g2o or TORO, in the plane or in space");
   command->add_option("--config", arguments->config, "YAML file of options");
   command->add_option("--objective", arguments->objective, "both, information or isotropic");
-  command->add_option("--start", arguments->start, "chordal, guess or odometry");
+  command->add_option("--start", arguments->start, "auto, chordal, guess or odometry");
   command->add_option("--robust", arguments->robust,
                       "Against wrong closures: gnc, huber, cauchy, geman_mcclure, dcs or switchable");
   command->add_flag("--certify", arguments->certify, "Prove that there is no better minimum");

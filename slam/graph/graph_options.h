@@ -12,6 +12,7 @@ enum class GraphSolver {
 
 /// From which poses it starts.
 enum class GraphStart {
+  kAuto,     // kChordal; kOdometry where edges may be wrong, all of which the chords would take for right
   kChordal,  // rotations and translations by two linear systems; the nodes' poses are not looked at
   kGuess,    // the nodes' poses
   kOdometry  // the measurements along a spanning tree, edges between successive nodes first
@@ -30,21 +31,23 @@ enum class GraphRobust {
 
 struct GraphOptions {
   GraphSolver solver = GraphSolver::kGaussNewton;
-  GraphStart start = GraphStart::kChordal;
+  GraphStart start = GraphStart::kAuto;
   GraphRobust robust = GraphRobust::kNone;
   double robust_confidence = 0.99;
   double switch_weight = 4.0;
   int max_iterations = 100;
   double convergence = 1e-6;
-  int threads = 1;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
-    visit("solver", self.solver,
-          "gauss_newton is the faster one, and the one that gnc runs on; switchable runs on ceres; both "
-          "end in the "
-          "same minimum");
-    visit("start", self.start, "chordal escapes the local minima that the others end in on large graphs");
+    visit(
+        "solver", self.solver,
+        "gauss_newton is the faster one, and the one that gnc runs on; switchable runs on ceres; both end "
+        "in the same minimum");
+    visit(
+        "start", self.start,
+        "chordal escapes the local minima of the others, but takes every edge for right; auto is chordal, "
+        "or odometry where robust is not none");
     visit("robust", self.robust,
           "how wrong closures are kept from bending the map; gnc stands the largest share of them");
     visit("robust_confidence", self.robust_confidence, Unit(""), Range{0.5, 0.999999},
@@ -54,10 +57,8 @@ struct GraphOptions {
           "quantile in space");
     visit("max_iterations", self.max_iterations, Unit(""), Range{1, 100000}, "of each descent");
     visit("convergence", self.convergence, Unit(""), Range{0.0, 1.0},
-          "ends with the step that promises to lower the objective by a smaller share; what then remains "
-          "to gain is "
-          "far less, as convergence is quadratic");
-    visit("threads", self.threads, Unit(""), Range{1, 1024}, "the result does not depend on it");
+          "ends with the step that promises to lower the objective by a smaller share; as convergence is "
+          "quadratic, what then remains to gain is far less");
   }
 };
 
@@ -71,7 +72,7 @@ struct EnumNames<slam::GraphSolver> {
 };
 template <>
 struct EnumNames<slam::GraphStart> {
-  static constexpr std::array<std::string_view, 3> value{"chordal", "guess", "odometry"};
+  static constexpr std::array<std::string_view, 4> value{"auto", "chordal", "guess", "odometry"};
 };
 template <>
 struct EnumNames<slam::GraphRobust> {

@@ -18,6 +18,7 @@ namespace {
 /// The factor of an exactly singular matrix exists only if it is shifted by what rounding may take away.
 constexpr double kRounding = 1e-15;  // of the scale of the matrix
 constexpr int kMaxShifts = 60;
+constexpr double kNothing = 1e-14;  // of the squared error of one residual: what is less, is rounding
 
 template <typename Pose>
 constexpr int kD = Pose::Point::RowsAtCompileTime;
@@ -125,8 +126,11 @@ Certificate Certify(const PoseGraph<Pose>& graph, double max_relative_gap) {
     Fail("a graph with more than one fixed vertex has no certificate");
   Certificate certificate;
   certificate.objective = Objective(graph);
+  // No objective is below zero, which proves poses that fulfil all edges to rounding without any matrix.
+  const double nothing = kNothing * Pose::kDof * static_cast<double>(graph.edges.size());
   const double max_gap = max_relative_gap * certificate.objective;
-  const Bound bound = FindBound(graph, max_gap);
+  const Bound bound =
+      certificate.objective <= nothing ? Bound{certificate.objective, 0.0} : FindBound(graph, max_gap);
   certificate.least_eigenvalue = bound.least_eigenvalue;
   certificate.lower_bound = std::min(bound.lower, certificate.objective);
   if (certificate.objective > 0.0)

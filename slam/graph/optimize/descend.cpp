@@ -10,7 +10,7 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr double kLeastDamping = 1e-6;
+constexpr double kLeastDamping = 1e-12;
 constexpr double kMostDamping = 1e10;  // a step that is damped more does not move anything
 // From here on Newton's method is the faster one; before, the curvature of errors that are still large
 // leads astray.

@@ -16,7 +16,11 @@ namespace {
 constexpr const char* kSection = "graph.";  // of the options, in messages
 
 template <typename Pose>
-void Start(PoseGraph<Pose>& graph, const GraphVariables& variables, GraphStart start) {
+void Start(PoseGraph<Pose>& graph, const GraphVariables& variables, const GraphOptions& options) {
+  const bool trusting = options.robust == GraphRobust::kNone;
+  const GraphStart start = options.start != GraphStart::kAuto ? options.start
+                           : trusting                         ? GraphStart::kChordal
+                                                              : GraphStart::kOdometry;
   if (start == GraphStart::kChordal) InitializeByChords(graph, variables);
   if (start == GraphStart::kOdometry) PlaceAlongEdges(graph);
 }
@@ -99,7 +103,7 @@ OptimizeResult<Pose> Optimize(PoseGraph<Pose> graph, const GraphOptions& options
   result.objective_guess = Objective(graph);
   Descent<Pose> descent(graph, result.times);
   const Stopwatch starting;
-  Start(graph, descent.variables(), options.start);
+  Start(graph, descent.variables(), options);
   result.times.start = starting.Seconds();
   if (options.solver == GraphSolver::kGaussNewton && options.robust == GraphRobust::kNone) {
     DescendPlainly(graph, descent, options, on_iteration, result);
