@@ -1,0 +1,181 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+#include "slam/extract/detect_lines.h"
+#include "tests/slam/extract/simulated_slice.h"
+
+/// Every detector with its defaults, in rooms that it was not tuned on.
+namespace ariadne::slam {
+namespace {
+
+constexpr std::uint64_t kFirstSeed = 1001;
+constexpr std::size_t kRooms = 60;
+
+struct Detector {
+  std::string name;
+  LineMethod method;
+  PointOrder order = PointOrder::kOrdered;
+
+  LineOptions Options() const {
+    LineOptions options;
+    options.method = method;
+    options.hough.order = order;
+    return options;
+  }
+  bool needs_order() const { return method != LineMethod::kHough || order == PointOrder::kOrdered; }
+};
+
+const std::vector<SimulatedSlice>& Slices() {
+  static const std::vector<SimulatedSlice> slices = [] {
+    std::vector<SimulatedSlice> made;
+    for (std::uint64_t seed = kFirstSeed; made.size() < kRooms; ++seed) made.push_back(SimulateSlice(seed));
+    return made;
+  }();
+  return slices;
+}
+
+std::vector<Eigen::Vector2d> Shuffled(std::vector<Eigen::Vector2d> points) {
+  RandomStream stream = NamedStream(1, "detect_rooms/shuffle");
+  for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[stream() % i]);
+  return points;
+}
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+class DetectRooms : public testing::TestWithParam<Detector> {
+ protected:
+  static std::vector<LineSegment> Detect(const std::vector<Eigen::Vector2d>& points) {
+    return DetectLines(points, GetParam().Options());
+  }
+};
+
+struct Score {
+  std::size_t walls = 0, long_segments = 0, true_segments = 0;
+  std::vector<double> angles, offsets, ends;  // of the walls that are found
+
+  double Recall() const { return static_cast<double>(angles.size()) / static_cast<double>(walls); }
+  double Precision() const {
+    return static_cast<double>(true_segments) / static_cast<double>(long_segments);
+  }
+  double ShareOfEndsWithin(double distance) const {
+    const auto within = std::ranges::count_if(ends, [&](double end) { return end <= distance; });
+    return static_cast<double>(within) / static_cast<double>(ends.size());
+  }
+};
+
+void AddTo(Score& score, const SimulatedSlice& slice, const std::vector<LineSegment>& segments) {
+  for (const TrueWall& wall : slice.Walls()) {
+    ++score.walls;
+    const std::optional<WallError> error = FindWall(segments, wall);
+    if (!error) continue;
+    score.angles.push_back(error->angle);
+    score.offsets.push_back(error->offset);
+    score.ends.insert(score.ends.end(), {error->ends[0], error->ends[1]});
+  }
+  for (const LineSegment& segment : segments) {
+    if (segment.Length() <= 0.5) continue;
+    ++score.long_segments;
+    if (IsOnSurface(segment, slice.surfaces)) ++score.true_segments;
+  }
+}
+
+TEST_P(DetectRooms, FindsTheWallsAndLittleElse) {
+  Score score;
+  for (const SimulatedSlice& slice : Slices()) {
+    AddTo(score, slice, Detect(GetParam().needs_order() ? slice.points : Shuffled(slice.points)));
+  }
+  ASSERT_GT(score.walls, 200u);
+  EXPECT_GE(score.Recall(), 0.95);
+  EXPECT_GE(score.Precision(), 0.9);
+  EXPECT_LE(Median(score.angles), RadFromDeg(0.5));
+  EXPECT_LE(Median(score.offsets), 0.01);
+  EXPECT_LE(Median(score.ends), 0.05);
+  EXPECT_GE(score.ShareOfEndsWithin(0.05), 0.7);
+  RecordProperty("walls", std::to_string(score.walls));
+  RecordProperty("recall", std::to_string(score.Recall()));
+  RecordProperty("precision", std::to_string(score.Precision()));
+  RecordProperty("median_angle_deg", std::to_string(DegFromRad(Median(score.angles))));
+  RecordProperty("median_offset", std::to_string(Median(score.offsets)));
+  RecordProperty("median_end", std::to_string(Median(score.ends)));
+  RecordProperty("share_of_ends_within_5cm", std::to_string(score.ShareOfEndsWithin(0.05)));
+}
+
+TEST_P(DetectRooms, ExplainsPointsByTheLinesNearThem) {
+  for (const SimulatedSlice& slice : Slices()) {
+    for (const LineSegment& segment : Detect(slice.points)) {
+      ASSERT_GE(segment.points.size(), 4u);
+      EXPECT_TRUE(std::ranges::adjacent_find(segment.points, std::greater_equal<>()) ==
+                  segment.points.end());
+      const Eigen::Vector2d along = (segment.to - segment.from).normalized();
+      double squares = 0.0;
+      for (const std::size_t i : segment.points) {
+        const double place = along.dot(slice.points.at(i) - segment.from);
+        EXPECT_TRUE(place > -1e-9 && place < segment.Length() + 1e-9) << "outside of the end points";
+        squares += std::pow(segment.Distance(slice.points[i]), 2);
+      }
+      EXPECT_NEAR(segment.rms, std::sqrt(squares / static_cast<double>(segment.points.size())), 1e-9);
+      EXPECT_NEAR(segment.Distance(segment.from), 0.0, 1e-9);
+      EXPECT_NEAR(segment.Distance(segment.to), 0.0, 1e-9);
+      EXPECT_GT(segment.covariance.determinant(), 0.0);
+    }
+  }
+}
+
+TEST_P(DetectRooms, DoesNotDependOnTheHeadingOfTheScanner) {
+  RandomStream stream = NamedStream(2, "detect_rooms/heading");
+  std::size_t walls = 0, lost = 0;
+  for (const SimulatedSlice& slice : Slices()) {
+    const Pose2 T_b_a{DrawUniform(stream, -3.0, 3.0), Eigen::Vector2d::Zero()};
+    std::vector<Eigen::Vector2d> points_b;
+    for (const Eigen::Vector2d& p_a : slice.points) points_b.push_back(T_b_a * p_a);
+    const std::vector<LineSegment> segments_a = Detect(slice.points), segments_b = Detect(points_b);
+    for (TrueWall wall : slice.Walls()) {
+      if (!FindWall(segments_a, wall)) continue;
+      ++walls;
+      wall.from = T_b_a * wall.from;
+      wall.to = T_b_a * wall.to;
+      wall.angle += T_b_a.angle;
+      if (!FindWall(segments_b, wall)) ++lost;
+    }
+    if (GetParam().method == LineMethod::kHough) continue;  // its cells do not turn with the points
+    ASSERT_EQ(segments_a.size(), segments_b.size());
+    for (std::size_t i = 0; i < segments_a.size(); ++i) {
+      const LineSegment &a = segments_a[i], &b = segments_b[i];
+      EXPECT_EQ(a.points, b.points);
+      EXPECT_LT((T_b_a * a.from - b.from).norm(), 1e-9);
+      EXPECT_LT((T_b_a * a.to - b.to).norm(), 1e-9);
+      EXPECT_LT((a.covariance - b.covariance).norm(), 1e-6 * a.covariance.norm());
+    }
+  }
+  EXPECT_LE(lost, walls / 50);
+}
+
+TEST_P(DetectRooms, GivesTheSameBytesAgain) {
+  for (const SimulatedSlice& slice : Slices()) {
+    const std::vector<LineSegment> once = Detect(slice.points), again = Detect(slice.points);
+    ASSERT_EQ(once.size(), again.size());
+    for (std::size_t i = 0; i < once.size(); ++i) {
+      const auto all = [](const LineSegment& s) {
+        return std::tie(s.from, s.to, s.angle, s.offset, s.covariance, s.rms, s.points);
+      };
+      EXPECT_EQ(all(once[i]), all(again[i]));
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(, DetectRooms,
+                         testing::Values(Detector{"LengthRatio", LineMethod::kLengthRatio},
+                                         Detector{"Hough", LineMethod::kHough},
+                                         Detector{"HoughUnordered", LineMethod::kHough,
+                                                  PointOrder::kUnordered},
+                                         Detector{"SplitAndMerge", LineMethod::kSplitAndMerge}),
+                         [](const auto& detector) { return detector.param.name; });
+
+}  // namespace
+}  // namespace ariadne::slam
