@@ -59,14 +59,10 @@ TEST_F(OptimizeTest, FindsAndCertifiesTheMinimumOfBothObjectives) {
   }
 }
 
-TEST_F(OptimizeTest, GivesTheSameBytesAgainAndWithTwoThreads) {
+TEST_F(OptimizeTest, GivesTheSameBytesAgain) {
   Must("optimize square.g2o --certify --out a -q");
   Must("run a/config.yaml --out b -q");
   ExpectSameFiles("a", "b");
-  Must("optimize square.g2o --certify --set graph.threads=2 --out c -q");
-  for (const char* file : {"optimized.g2o", "metrics.json", "edges.csv", "figures/graph.png"}) {
-    EXPECT_EQ(Content(std::string("a/") + file), Content(std::string("c/") + file)) << file;
-  }
 }
 
 TEST_F(OptimizeTest, RejectsAWrongClosureAndSaysWhich) {
