@@ -92,4 +92,16 @@ MatchResult MatchPairwise(const MatchContext& c) {
   return MatchOnce(c, {overlaps.front().scan});
 }
 
+MatchResult MatchToOverlapping(const MatchContext& c) {
+  const std::vector<Overlap> overlaps = FindOverlaps(c);
+  std::vector<std::size_t> partners;
+  for (const Overlap& overlap : overlaps) {
+    if (IsEnough(c, overlap)) partners.push_back(overlap.scan);
+  }
+  if (partners.empty()) return WithoutOverlap(c, overlaps);
+  AlignOptions align = c.align;
+  align.convergence_step = std::max(align.convergence_step, c.match.graph.start_step);
+  return MatchOnce({c.map, c.match, align, c.on_progress, Parallel(align.threads)}, std::move(partners));
+}
+
 }  // namespace ariadne::slam

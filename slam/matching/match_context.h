@@ -54,4 +54,8 @@ MatchResult WithoutOverlap(const MatchContext& c, const std::vector<Overlap>& ov
 /// Aligns the new scan to the earlier one with the largest overlap (Sec. 3.2).
 MatchResult MatchPairwise(const MatchContext& c);
 
+/// Aligns the new scan to the union of those that it overlaps, the largest overlap first; with no more
+/// digits than what follows, in the methods graph and joint, can add (start_step).
+MatchResult MatchToOverlapping(const MatchContext& c);
+
 }  // namespace ariadne::slam

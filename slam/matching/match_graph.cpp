@@ -17,32 +17,31 @@ AlignOptions NearOptions(AlignOptions align) {
   return align;
 }
 
-/// Aligns the new scan, one by one, to those that overlap it most and are not yet joined to it.
-void AddFurtherEdges(const MatchContext& c, MatchResult& result) {
+/// Aligns the new scan, one by one, to those that overlap it most where it lies now.
+void AddEdges(const MatchContext& c, MatchResult& result) {
   const std::size_t scan = c.map.scans.size() - 1;
-  int left = c.match.graph.further_edges;
-  for (const Overlap& overlap : FindOverlaps(c)) {
-    if (left == 0 || !IsEnough(c, overlap)) break;
-    if (AreJoined(c.map.graph, overlap.scan, scan)) continue;
-    MatchStep step = AlignToUnion(c, scan, {overlap.scan}, 0, NearOptions(c.align));
+  const AlignOptions near = NearOptions(c.align);
+  std::vector<Overlap> overlaps = FindOverlaps(c);
+  const auto count = static_cast<std::size_t>(1 + c.match.graph.further_edges);
+  if (overlaps.size() > count) overlaps.resize(count);
+  for (const Overlap& overlap : overlaps) {
+    if (!IsEnough(c, overlap)) break;
+    MatchStep step = AlignToUnion(c, scan, {overlap.scan}, 0, near);
     if (MayMove(step.align))
       AddAlignment(c.map, overlap.scan, scan, step.align, c.match.graph, ScanEdgeKind::kAlignment);
     result.steps.push_back(std::move(step));
-    --left;
   }
 }
 
 /// Moves all scans to where the edges agree best.
-MatchPass OptimizeScans(const MatchContext& c) {
-  const auto closures = std::ranges::count(c.map.graph.kinds, ScanEdgeKind::kClosure);
+MatchPass OptimizeScans(const MatchContext& c, GraphRobust robust) {
   PoseGraph3& graph = c.map.graph.graph;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i)
     graph.nodes[i].T_map_node = c.map.scans[i].T_map_laser;
   GraphOptions options;
   options.start = GraphStart::kGuess;
-  options.robust = closures > 0 ? c.match.graph.robust : GraphRobust::kNone;
-  options.threads = c.align.threads;
-  OptimizeResult<Pose3> optimized = Optimize(graph, options);
+  options.robust = robust;
+  const OptimizeResult<Pose3> optimized = Optimize(graph, options);
   MatchPass pass{.of = "graph", .scans = graph.nodes.size() - 1, .links = graph.edges.size()};
   pass.iterations = optimized.iterations.size();
   pass.settled = optimized.status == GraphStatus::kConverged;
@@ -52,6 +51,12 @@ MatchPass OptimizeScans(const MatchContext& c) {
     graph.nodes[i].T_map_node = c.map.scans[i].T_map_laser;
   }
   return pass;
+}
+
+/// Without closures every edge is trusted.
+GraphRobust RobustOf(const MatchContext& c) {
+  const auto closures = std::ranges::count(c.map.graph.kinds, ScanEdgeKind::kClosure);
+  return closures > 0 ? c.match.graph.robust : GraphRobust::kNone;
 }
 
 }  // namespace
@@ -68,7 +73,11 @@ bool CloseLoops(const MatchContext& c, MatchResult& result) {
     result.closures.push_back(std::move(closure));
   }
   if (closed_to.empty()) return false;
-  result.passes.push_back(OptimizeScans(c));
+  // A right closure of a long drift looks wrong until the poses have followed it, so first they do; then
+  // the kernel drops it where what was known before speaks against it.
+  result.passes.push_back(OptimizeScans(c, GraphRobust::kNone));
+  if (c.match.graph.robust != GraphRobust::kNone)
+    result.passes.push_back(OptimizeScans(c, c.match.graph.robust));
   result.registered = c.map.scans.back().registered = true;
   result.message += fmt::format("; closed to {}", closed_to);
   return true;
@@ -76,16 +85,11 @@ bool CloseLoops(const MatchContext& c, MatchResult& result) {
 
 MatchResult MatchByGraph(const MatchContext& c) {
   AddMissingNodes(c.map, c.match.graph);
-  MatchResult result = MatchPairwise(c);
-  if (result.registered) {
-    const MatchStep& step = result.steps.front();
-    AddAlignment(c.map, step.partners.front(), step.scan, step.align, c.match.graph,
-                 ScanEdgeKind::kAlignment);
-  }
+  MatchResult result = MatchToOverlapping(c);
+  if (result.registered) AddEdges(c, result);
   CloseLoops(c, result);
   if (!result.registered) return result;
-  AddFurtherEdges(c, result);
-  result.passes.push_back(OptimizeScans(c));
+  result.passes.push_back(OptimizeScans(c, RobustOf(c)));
   const MatchPass& pass = result.passes.back();
   result.message = fmt::format("{}; {} edges, moved by {:.1f} cm", result.message, pass.links,
                                100.0 * pass.moved_translation);

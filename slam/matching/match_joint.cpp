@@ -10,31 +10,6 @@
 namespace ariadne::slam {
 namespace {
 
-/// The start needs no more digits than the pass over all scans can add.
-AlignOptions StartOptions(const MatchContext& c) {
-  AlignOptions align = c.align;
-  align.convergence_step = std::max(align.convergence_step, c.match.joint.start_step);
-  return align;
-}
-
-/// Aligns the new scan to the union of those that it overlaps; the edge is to the one that it overlaps
-/// most, where the others are where they are.
-MatchResult Start(const MatchContext& c) {
-  const std::vector<Overlap> overlaps = FindOverlaps(c);
-  std::vector<std::size_t> partners;
-  for (const Overlap& overlap : overlaps) {
-    if (IsEnough(c, overlap)) partners.push_back(overlap.scan);
-  }
-  if (partners.empty()) return WithoutOverlap(c, overlaps);
-  const AlignOptions align = StartOptions(c);
-  const MatchContext start{c.map, c.match, align, c.on_progress, Parallel(align.threads)};
-  MatchResult result = MatchOnce(start, partners);
-  if (!result.registered) return result;
-  AddAlignment(c.map, partners.front(), c.map.scans.size() - 1, result.steps.front().align, c.match.graph,
-               ScanEdgeKind::kAlignment);
-  return result;
-}
-
 /// The scans lie to each other as all point pairs say; the edges of alignments follow.
 void RefreshEdges(ScanMap& map) {
   PoseGraph3& graph = map.graph.graph;
@@ -72,7 +47,13 @@ MatchPass PassOverAll(const MatchContext& c) {
 
 MatchResult MatchJointly(const MatchContext& c) {
   AddMissingNodes(c.map, c.match.graph);
-  MatchResult result = Start(c);
+  MatchResult result = MatchToOverlapping(c);
+  if (result.registered) {
+    // The edge is to the scan that it overlaps most, where the others are where they are.
+    const MatchStep& step = result.steps.front();
+    AddAlignment(c.map, step.partners.front(), step.scan, step.align, c.match.graph,
+                 ScanEdgeKind::kAlignment);
+  }
   const bool closed = CloseLoops(c, result);
   const int every = c.match.joint.pass_every;
   const bool due = every > 0 && c.map.scans.size() % static_cast<std::size_t>(every) == 0;

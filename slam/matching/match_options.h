@@ -19,7 +19,7 @@ enum class MatchMethod {
 struct ClosureOptions {
   bool enabled = true;
   double reach = 6.0;
-  double min_overlap = 0.3;
+  double min_overlap = 0.5;
   double max_rms = 0.05;
   double confidence = 0.999;
   int max_candidates = 2;
@@ -42,18 +42,23 @@ struct ClosureOptions {
 
 /// What the methods graph and joint do beside the alignments.
 struct ScanGraphOptions {
-  int further_edges = 3;
+  double start_step = 1e-3;
+  int further_edges = 1;
   double odometry_position = 0.1;
   double odometry_angle = 0.05;
   double systematic_position = 0.0;
   double systematic_angle = 0.0;
-  GraphRobust robust = GraphRobust::kDcs;
+  GraphRobust robust = GraphRobust::kGnc;
   ClosureOptions closure;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
+    visit("start_step", self.start_step, Unit("m, rad"), Range{0.0, 1.0},
+          "the alignment of a new scan ends at shorter steps: graph and joint go on from there");
     visit("further_edges", self.further_edges, Unit(""), Range{0, 1000},
-          "graph: alignments of a new scan beside the first, to the scans that overlap it most");
+          "graph: alignments of a new scan beside that to the scan that it overlaps most, to the next "
+          "ones; more "
+          "are worse: their errors are not independent, as the scan is the same in all");
     visit("odometry_position", self.odometry_position, Unit("m/m"), Range{1e-6, 1e3},
           "sigma of the odometry's position by the way between two scans, beside 5 cm; it only holds what "
           "no surface does");
@@ -63,14 +68,14 @@ struct ScanGraphOptions {
           "sigma that each alignment has beside its covariance: what the scanner does alike in all scans");
     visit("systematic_angle", self.systematic_angle, Unit("rad"), Range{0.0, 1.0},
           "the same of the angles");
-    visit("robust", self.robust, "what keeps a wrong closure from bending the map");
+    visit("robust", self.robust,
+          "what keeps a wrong closure from bending the map, once there is a closure");
     visit("closure", self.closure, "closures of loops that have drifted beyond the gate");
   }
 };
 
 /// The iterations of the method joint: pairs, then poses, and again.
 struct JointOptions {
-  double start_step = 1e-3;
   int pass_every = 0;
   int max_iterations = 30;
   double convergence = 1e-4;
@@ -78,8 +83,6 @@ struct JointOptions {
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
-    visit("start_step", self.start_step, Unit("m, rad"), Range{0.0, 1.0},
-          "the alignment of a new scan ends at shorter steps: the pass over all scans goes on from there");
     visit("pass_every", self.pass_every, Unit("scans"), Range{0, 1000000},
           "all scans move after every so many new ones; 0: only at the end, and after a closure");
     visit("max_iterations", self.max_iterations, Unit(""), Range{1, 10000}, "of a pass over all scans");

@@ -61,7 +61,7 @@ class Tour {
   }
 
   MatchResult Finish() { return FinishMatching(map_, match_, align_); }
-  const ScanGraph& graph() const { return map_.graph; }
+  ScanMap& map() { return map_; }
 
   /// Of the scan that was added last.
   const Pose3& guess() const { return guess_; }
