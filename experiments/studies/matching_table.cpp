@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "experiments/metrics/hypothesis_test.h"
 #include "experiments/metrics/statistics.h"
@@ -20,12 +21,15 @@ struct Measure {
   double per_unit;
 };
 
-constexpr std::array<Measure, 5> kMeasures{
+constexpr std::array<Measure, 6> kMeasures{
     {{"position cm", &MatchingTrial::translation_rms, 100.0},
      {"rotation deg", &MatchingTrial::rotation_rms, slam::DegFromRad(1.0)},
      {"map error cm", &MatchingTrial::map_error_mean, 100.0},
      {"wall cm", &MatchingTrial::wall_median, 100.0},
-     {"worst wall cm", &MatchingTrial::wall_worst, 100.0}}};
+     {"worst wall cm", &MatchingTrial::wall_worst, 100.0},
+     {"NEES", &MatchingTrial::nees, 1.0}}};
+
+constexpr std::size_t kErrors = 5;  // the first ones; the smaller, the better
 
 /// The values without repetitions, in the order of their first appearance.
 template <typename T>
@@ -55,14 +59,15 @@ std::string ToText(const Interval& i) {
 
 Table TrialTable(const std::vector<LabelledTrial>& trials) {
   Table table{{"odometry_noise", "seed", "method", "registered", "translation_rms_m", "rotation_rms_rad",
-               "map_error_mean_m", "map_error_95_m", "share_within_2cm", "wall_median_m", "wall_worst_m"},
+               "map_error_mean_m", "map_error_95_m", "share_within_2cm", "wall_median_m", "wall_worst_m",
+               "nees_position"},
               {}};
   for (const LabelledTrial& t : trials) {
     table.rows.push_back(
         {Exact(t.noise), std::to_string(t.seed), t.method, std::to_string(t.trial.registered)});
     for (const double value :
          {t.trial.translation_rms, t.trial.rotation_rms, t.trial.map_error_mean, t.trial.map_error_95,
-          t.trial.share_within_2cm, t.trial.wall_median, t.trial.wall_worst}) {
+          t.trial.share_within_2cm, t.trial.wall_median, t.trial.wall_worst, t.trial.nees}) {
       table.rows.back().push_back(Exact(value));
     }
   }
@@ -91,7 +96,7 @@ Table PairedTable(const std::vector<LabelledTrial>& trials, const std::string& r
   for (const double noise : Distinct(trials, &LabelledTrial::noise)) {
     for (const std::string& method : Distinct(trials, &LabelledTrial::method)) {
       if (method == reference || method == "truth" || method == "odometry") continue;
-      for (const Measure& measure : kMeasures) {
+      for (const Measure& measure : std::span(kMeasures).first(kErrors)) {
         const Values a = Select(trials, noise, method, measure);
         const Values b = Select(trials, noise, reference, measure);
         p_values.push_back(TestSignedRank(a, b).p_two_sided);
@@ -118,6 +123,7 @@ Json ToJson(const LabelledTrial& t) {
           {"share_within_2cm", t.trial.share_within_2cm},
           {"wall_median", t.trial.wall_median},
           {"wall_worst", t.trial.wall_worst},
+          {"nees", t.trial.nees},
           {"seconds", t.trial.seconds}};
 }
 
@@ -131,6 +137,7 @@ LabelledTrial LabelledTrialFromJson(const Json& json) {
   t.trial.share_within_2cm = json.at("share_within_2cm");
   t.trial.wall_median = json.at("wall_median");
   t.trial.wall_worst = json.at("wall_worst");
+  t.trial.nees = json.at("nees");
   t.trial.seconds = json.at("seconds");
   return t;
 }

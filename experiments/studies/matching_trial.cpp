@@ -1,9 +1,12 @@
 #include "experiments/studies/matching_trial.h"
 
+#include <Eigen/Cholesky>
+
 #include "experiments/metrics/map_error.h"
 #include "experiments/metrics/trajectory_error.h"
 #include "experiments/metrics/wall_thickness.h"
 #include "slam/base/stopwatch.h"
+#include "slam/graph/optimize/covariance.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -27,6 +30,23 @@ std::vector<Eigen::Vector3d> Gather(const TourScans& scans, const std::vector<sl
     }
   }
   return points;
+}
+
+/// The mean over all scans but the master of e^T C^-1 e, where e is the error of the position relative to
+/// the master, in the frame of the laser, and C its covariance by the graph.
+double MeanPositionNees(const slam::Mapper& mapper, const TourScans& scans) {
+  const slam::PoseGraph3& graph = mapper.graph().graph;
+  const std::vector<slam::Pose3::Square> covariances = slam::MarginalCovariances(graph).nodes;
+  const slam::Pose3 T_world_map =
+      PlaceByMaster(mapper.scans().front().T_map_laser, scans.T_map_laser_true.front());
+  double sum = 0.0;
+  for (std::size_t i = 1; i < covariances.size(); ++i) {
+    const slam::Pose3 T_world_laser = T_world_map * mapper.scans()[i].T_map_laser;
+    const Eigen::Vector3d e = (T_world_laser.Inverse() * scans.T_map_laser_true[i]).translation;
+    const Eigen::Matrix3d C = covariances[i].topLeftCorner<3, 3>();
+    sum += e.dot(C.ldlt().solve(e));
+  }
+  return sum / static_cast<double>(covariances.size() - 1);
 }
 
 }  // namespace
@@ -83,6 +103,8 @@ MatchingTrial TryMatching(const TourScans& scans, const TrueBuilding& building,
   MatchingTrial trial = JudgePoses(scans, building, std::move(T_map_laser), parallel);
   trial.registered = registered;
   trial.seconds = seconds;
+  if (options.registration.method == slam::MatchMethod::kGraph && mapper.scans().size() > 1)
+    trial.nees = MeanPositionNees(mapper, scans);
   return trial;
 }
 

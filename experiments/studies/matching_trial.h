@@ -38,6 +38,8 @@ struct MatchingTrial {
   double share_within_2cm = 0.0;
   double wall_median = 0.0;  // standard deviation across the median wall [m]
   double wall_worst = 0.0;   // and across the worst [m]
+  double nees = 0.0;         // graph: mean normalized squared error of the positions, 3 if its covariances
+                             // are honest
   double seconds = 0.0;      // of matching alone
 };
 
