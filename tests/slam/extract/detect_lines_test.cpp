@@ -300,6 +300,22 @@ TEST(SplitAndMerge, TellsTwoPlacesOfAWallFromABend) {
   }
 }
 
+TEST(SplitAndMerge, FindsTheSidesOfASliceThatComesBackToItsBeginning) {
+  const Points corners{{2.0, -2.0}, {2.0, 2.0}, {-2.0, 2.0}, {-2.0, -2.0}};
+  Points points;
+  for (std::size_t side = 0; side < 4; ++side) {
+    AppendLine(points, corners[side], corners[(side + 1) % 4]);
+    if (side < 3) points.pop_back();
+  }
+  ASSERT_EQ(points.front(), points.back());
+  const std::vector<LineSegment> segments = DetectBySplitAndMerge(points, {});
+  ASSERT_EQ(segments.size(), 4u);
+  for (const LineSegment& segment : segments) {
+    EXPECT_NEAR(segment.offset, 2.0, 1e-9);
+    EXPECT_GT(segment.Length(), 3.9);
+  }
+}
+
 TEST(EdgePoints, AreTheEndsOfTheLines) {
   Points points;
   AppendLine(points, {2.0, -2.0}, {2.0, -0.5});

@@ -54,6 +54,7 @@ TEST(FitSegment, IsNothingWithoutTwoPlaces) {
   EXPECT_FALSE(FitSegment(Points{}, std::vector<std::size_t>{}, {}));
   EXPECT_FALSE(FitSegment(Points{{1.0, 2.0}}, 0, 0, {}));
   EXPECT_FALSE(FitSegment(Points(5, {1.0, 2.0}), 0, 4, {}));
+  EXPECT_FALSE(FitSegment(Points{{1.0, 2.0}, {1.0, 2.0 + 1e-15}}, 0, 1, {})) << "but for rounding";
 }
 
 TEST(FitSegment, IsFiniteThroughTheScanner) {
@@ -65,9 +66,20 @@ TEST(FitSegment, IsFiniteThroughTheScanner) {
 }
 
 TEST(SigmaAcross, IsOfTheRangeAheadAndOfTheBearingAside) {
-  const SliceNoise noise{0.01, 0.001, 0.0};
+  SliceNoise noise;
+  noise.range_sigma = 0.01;
+  noise.bearing_sigma = 0.001;
   EXPECT_NEAR(SigmaAcross(Eigen::Vector2d::UnitX(), {5.0, 0.0}, noise), 0.01, 2e-5);
   EXPECT_NEAR(SigmaAcross(Eigen::Vector2d::UnitX(), {0.0, 5.0}, noise), 0.005, 2e-5);
+}
+
+/// Without what neighbours share, so that a draw per point is all of it.
+SliceNoise Independent(double factor = 1.0) {
+  SliceNoise noise;
+  noise.range_sigma *= factor;
+  noise.bearing_sigma *= factor;
+  noise.systematic_sigma = 0.0;
+  return noise;
 }
 
 /// A wall of `count` points, seen by a scanner with these sigmas; and its true line.
@@ -115,7 +127,7 @@ Nees NeesOfFits(int count, const SliceNoise& truth, const SliceNoise& assumed) {
 // 8 points) to 94.4 % (of 60). 4000 draws tell them to 0.4 % (one sigma), and the mean to 0.03.
 TEST(FitSegment, HasAnHonestCovariance) {
   for (const int count : {4, 8, 20, 60}) {
-    const Nees nees = NeesOfFits(count, {}, {});
+    const Nees nees = NeesOfFits(count, Independent(), Independent());
     EXPECT_GT(nees.mean, 1.85) << count;
     EXPECT_LT(nees.mean, 2.35) << count;
     EXPECT_GT(nees.share_within_95, 0.91) << count;
@@ -124,13 +136,31 @@ TEST(FitSegment, HasAnHonestCovariance) {
 }
 
 TEST(FitSegment, LearnsTheNoiseFromTheScatter) {
-  const SliceNoise assumed;
-  const SliceNoise truth{3.0 * assumed.range_sigma, 3.0 * assumed.bearing_sigma, 0.0};
-  const Nees nees = NeesOfFits(60, truth, assumed);
+  const Nees nees = NeesOfFits(60, Independent(3.0), Independent());
   EXPECT_GT(nees.mean, 1.85);
   EXPECT_LT(nees.mean, 2.45);
-  const SliceNoise stubborn{assumed.range_sigma, assumed.bearing_sigma, 1e6};
-  EXPECT_GT(NeesOfFits(60, truth, stubborn).mean, 10.0) << "nine times as large";
+  SliceNoise stubborn = Independent();
+  stubborn.prior_points = 1e6;
+  EXPECT_GT(NeesOfFits(60, Independent(3.0), stubborn).mean, 10.0) << "nine times as large";
+}
+
+TEST(FitSegment, CountsWhatRangesHaveInCommon) {
+  constexpr double kLonger = 1e-4;
+  RandomStream stream = NamedStream(1, "fit_segment/systematic");
+  for (int trial = 0; trial < 20; ++trial) {
+    const NoisyWall wall = DrawWall(stream, 30, Independent());
+    Points moved;
+    for (const Eigen::Vector2d& p : wall.points) moved.emplace_back(p + kLonger * p.normalized());
+    SliceNoise alike = Independent();
+    alike.systematic_sigma = 0.01;
+    alike.systematic_length = 1000.0;  // the same at all ranges
+    const std::optional<LineSegment> alone = FitSegment(wall.points, 0, 29, Independent());
+    const std::optional<LineSegment> longer = FitSegment(moved, 0, 29, Independent());
+    const std::optional<LineSegment> honest = FitSegment(wall.points, 0, 29, alike);
+    const Eigen::Vector2d change(longer->angle - alone->angle, longer->offset - alone->offset);
+    const Eigen::Matrix2d expected = std::pow(0.01 / kLonger, 2) * change * change.transpose();
+    EXPECT_LT((honest->covariance - alone->covariance - expected).norm(), 0.05 * expected.norm());
+  }
 }
 
 TEST(SlicePoints, AreWhereTheCloudHasThem) {

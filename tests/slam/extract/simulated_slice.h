@@ -104,16 +104,20 @@ inline WallError ErrorOfWall(const LineSegment& segment, const TrueWall& wall) {
           std::max(0.0, left - right) / wall.Length()};
 }
 
-/// The error of the segment that covers most of a wall; nothing where none covers 80 % of it, to 5 deg and
-/// 5 cm.
-inline std::optional<WallError> FindWall(std::span<const LineSegment> segments, const TrueWall& wall) {
-  std::optional<WallError> best;
+/// The segment that covers most of a wall; null where none covers 80 % of it, to 5 deg and 5 cm.
+inline const LineSegment* SegmentOf(std::span<const LineSegment> segments, const TrueWall& wall) {
+  const LineSegment* best = nullptr;
   for (const LineSegment& segment : segments) {
     const WallError error = ErrorOfWall(segment, wall);
     if (error.angle > RadFromDeg(5.0) || error.offset > 0.05 || error.overlap < 0.8) continue;
-    if (!best || error.overlap > best->overlap) best = error;
+    if (best == nullptr || error.overlap > ErrorOfWall(*best, wall).overlap) best = &segment;
   }
   return best;
+}
+
+inline std::optional<WallError> FindWall(std::span<const LineSegment> segments, const TrueWall& wall) {
+  const LineSegment* const segment = SegmentOf(segments, wall);
+  return segment != nullptr ? std::optional(ErrorOfWall(*segment, wall)) : std::nullopt;
 }
 
 /// Whether the middle half of a segment lies on one true surface, to 5 deg and 5 cm.
