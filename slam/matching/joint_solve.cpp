@@ -59,6 +59,19 @@ void FindPairs(std::vector<Link>& links, const std::vector<Pose3>& T_map_laser, 
   });
 }
 
+/// Whether two scans overlap by less than half of what is needed, as every eighth point tells. Most scans
+/// of a large map do, and this is much cheaper than all their correspondences.
+bool IsFarFromOverlap(const MapScan& model, const MapScan& data, std::size_t min_pairs,
+                      double max_distance) {
+  constexpr std::size_t kStride = 8;
+  const Pose3 T_model_data = model.T_map_laser.Inverse() * data.T_map_laser;
+  const std::vector<Eigen::Vector3d>& points = data.points_laser.positions;
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < points.size(); i += kStride)
+    pairs += model.tree_laser.Nearest(T_model_data * points[i], max_distance).index != kNoPoint;
+  return 2 * kStride * pairs < min_pairs;
+}
+
 /// The links between scans that overlap.
 std::vector<Link> FindLinks(const std::vector<MapScan>& scans, const JointProblem& problem,
                             const MatchOptions& match, const AlignOptions& align,
@@ -68,10 +81,11 @@ std::vector<Link> FindLinks(const std::vector<MapScan>& scans, const JointProble
     Link& link = links[k];
     const MapScan& model = scans[link.model];
     const MapScan& data = scans[link.data];
+    const auto min_pairs = static_cast<std::size_t>(match.overlap_pairs);
+    if (IsFarFromOverlap(model, data, min_pairs, align.max_distance)) return;
     link.points = std::make_unique<JointPair>(model, data, align);
     const Pose3 T_model_data = model.T_map_laser.Inverse() * data.T_map_laser;
-    if (link.points->CountOverlap(T_model_data) <= static_cast<std::size_t>(match.overlap_pairs))
-      link.points = nullptr;
+    if (link.points->CountOverlap(T_model_data) <= min_pairs) link.points = nullptr;
   });
   std::erase_if(links, [](const Link& link) { return link.points == nullptr; });
   return links;
