@@ -2,7 +2,7 @@
 
 METRIC_NAMES = {"point_to_point": "point-to-point", "point_to_plane": "point-to-plane",
                 "plane_to_plane": "plane-to-plane"}
-METHODS = ("pairwise", "metascan", "simultaneous")
+METHODS = ("pairwise", "metascan", "simultaneous", "graph", "joint")
 
 
 def val(key):
@@ -110,10 +110,10 @@ def options():
         both("alignments per scan, up to", "registration.max_pops", "")]])
 
 
-def matching(levels, methods, measures):
+def matching(table, levels, methods, measures):
     def cell(key):
         return rf"{val(key)} {{\scriptsize {val(key + '.interval')}}}"
-    groups = [[[level if i == 0 else "", method, *(cell(f"matching.{level}.{method}.{m}") for m in measures)]
+    groups = [[[level if i == 0 else "", method, *(cell(f"{table}.{level}.{method}.{m}") for m in measures)]
                for i, method in enumerate(methods)] for level in levels]
     head = [r"noise & method & position [cm] & rotation [deg] & map error [cm] & median wall [cm] & worst wall [cm] \\"]
     return tabular("@{}ll" + "r" * len(measures) + "@{}", head, groups)

@@ -234,12 +234,15 @@ def add_garage(values, method, run):
     values.set(key + ".registered", metrics["registered"])
     values.set(key + ".alignments", metrics["alignments"])
     values.set(key + ".overlapping", metrics["overlapping_pairs"])
-    values.set(key + ".time", duration(sum(read_json(run / "timing.json")["match_s"])))
+    timing = read_json(run / "timing.json")
+    values.set(key + ".time", duration(sum(timing["match_s"]) + timing["finish_s"]))
     for when in ("before", "after"):
         plane = [100 * float(r[f"plane_median_{when}_m"]) for r in residuals]
         values.set(f"{key}.{when}.median", digits(statistics.median(plane), 2))
         values.set(f"{key}.{when}.p90", digits(percentile(plane, 0.9), 2))
         values.set(f"{key}.{when}.worst", digits(max(plane), 2))
+    far = [100 * float(r["plane_median_after_m"]) for r in residuals if int(r["data"]) - int(r["model"]) >= 5]
+    values.set(f"{key}.median_far", digits(statistics.median(far), 3))
 
 
 def add_garage_neighbours(values, run):
@@ -316,32 +319,35 @@ def add_covariance(values, metric, runs):
 
 # --- matching over simulated tours
 
-MATCHING_METHODS = ("odometry", "pairwise", "metascan", "simultaneous", "truth")
+ALL_METHODS = ("pairwise", "metascan", "simultaneous", "graph", "joint")
+MATCHING_METHODS = ("odometry", *ALL_METHODS, "truth")
 MATCHING_MEASURES = {"position cm": "position", "rotation deg": "rotation", "map error cm": "map", "wall cm": "wall",
                      "worst wall cm": "worst"}
 
 
-def add_matching(values, run):
+def add_matching(values, table, run):
     """Medians with their intervals, paired differences; returns the levels of noise."""
     levels = []
     for row in read_csv(run / "medians.csv"):
         if row["noise"] not in levels:
             levels.append(row["noise"])
         for column, name in MATCHING_MEASURES.items():
-            key = f"matching.{row['noise']}.{row['method']}.{name}"
+            key = f"{table}.{row['noise']}.{row['method']}.{name}"
             estimate, interval = row[column].split(" ", 1)
             values.set(key, estimate)
             values.set(key + ".interval", interval)
     for row in read_csv(run / "paired.csv"):
-        key = f"matching.{row['noise']}.{row['method']}.{MATCHING_MEASURES[row['measure']]}"
+        key = f"{table}.{row['noise']}.{row['method']}.{MATCHING_MEASURES[row['measure']]}"
         values.set(key + ".difference", row["median difference"])
         values.set(key + ".p", row["p (Holm)"])
     for method, timing in read_json(run / "timing.json").items():
-        values.set(f"matching.{method}.time", duration(timing["median_s"]))
+        values.set(f"{table}.{method}.time", duration(timing["median_s"]))
     trials = read_csv(run / "trials.csv")
-    values.set("matching.seeds", len({row["seed"] for row in trials}))
-    values.set("matching.unregistered", sum(20 - int(row["registered"]) for row in trials
-                                            if row["method"] in ("pairwise", "metascan", "simultaneous")))
+    scans = int(re.search(r"^ +scans: (\d+)", (run / "config.yaml").read_text(), re.M).group(1))
+    values.set(f"{table}.scans", scans)
+    values.set(f"{table}.seeds", len({row["seed"] for row in trials}))
+    values.set(f"{table}.unregistered", sum(scans - int(row["registered"]) for row in trials
+                                            if row["method"] in ALL_METHODS))
     return levels
 
 
