@@ -10,8 +10,8 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr double kMaxCells = 8000.0;  // 128 MB
-constexpr std::int16_t kClosed = -32000;
+constexpr double kMaxCells = 8000.0;      // 128 MB
+constexpr std::int16_t kClosed = -16000;  // stays below 0 and above overflow, whatever is taken back
 
 }  // namespace
 
@@ -43,10 +43,11 @@ HoughAccumulator::HoughAccumulator(std::span<const Eigen::Vector2d> points, doub
     cells_per_y_.push_back(static_cast<float>(scale * std::sin(theta)));
   }
   votes_.assign(cells_ * cells_, 0);
-  CountVotes(points);
+  AddVotes(points, 1);
+  for (std::size_t t = 0; t < cells_; ++t) row_bounds_.push_back(MaximumOf(t));
 }
 
-void HoughAccumulator::CountVotes(std::span<const Eigen::Vector2d> points) {
+void HoughAccumulator::AddVotes(std::span<const Eigen::Vector2d> points, std::int16_t votes) {
   std::vector<float> x, y;
   for (const Eigen::Vector2d& p : points) {
     x.push_back(static_cast<float>(p.x() - corner_.x()));
@@ -56,8 +57,7 @@ void HoughAccumulator::CountVotes(std::span<const Eigen::Vector2d> points) {
   for (std::size_t t = 0; t < cells_; ++t) {  // row by row: a row stays in the cache
     for (std::size_t i = 0; i < cells.size(); ++i) cells[i] = RhoCell(t, x[i], y[i]);
     std::int16_t* const row = &votes_[t * cells_];
-    for (const std::int32_t cell : cells) ++row[cell];
-    row_bounds_.push_back(MaximumOf(t));
+    for (const std::int32_t cell : cells) row[cell] = static_cast<std::int16_t>(row[cell] + votes);
   }
 }
 
@@ -107,11 +107,7 @@ HoughAccumulator::Peak HoughAccumulator::Highest() {
   return {votes, row, cell, theta, rho + normal.dot(corner_)};
 }
 
-void HoughAccumulator::Withdraw(const Eigen::Vector2d& p) {
-  const auto x = static_cast<float>(p.x() - corner_.x());
-  const auto y = static_cast<float>(p.y() - corner_.y());
-  for (std::size_t t = 0; t < cells_; ++t) --Row(t)[static_cast<std::size_t>(RhoCell(t, x, y))];
-}
+void HoughAccumulator::Withdraw(std::span<const Eigen::Vector2d> points) { AddVotes(points, -1); }
 
 void HoughAccumulator::Close(const Peak& peak) {
   votes_[peak.theta_cell * cells_ + peak.rho_cell] = kClosed;

@@ -12,7 +12,7 @@ namespace ariadne::slam {
 /// that box.
 class HoughAccumulator {
  public:
-  static constexpr std::size_t kMaxPoints = 30000;  // a cell counts to 32767
+  static constexpr std::size_t kMaxPoints = 16000;  // cells are 16 bits, half of them for those closed
 
   /// All points vote. `cells_per_meter` is R / L.
   HoughAccumulator(std::span<const Eigen::Vector2d> points, double cells_per_meter);
@@ -28,14 +28,14 @@ class HoughAccumulator {
   /// The cell with most votes; of several, the one with the lowest theta, then rho.
   Peak Highest();
 
-  /// Takes the votes of a point back.
-  void Withdraw(const Eigen::Vector2d& p);
+  /// Takes the votes of points back.
+  void Withdraw(std::span<const Eigen::Vector2d> points);
 
   /// A cell that is not to be found again.
   void Close(const Peak& peak);
 
  private:
-  void CountVotes(std::span<const Eigen::Vector2d> points);
+  void AddVotes(std::span<const Eigen::Vector2d> points, std::int16_t votes);
   /// Of a point relative to the corner; the same for its vote as for taking it back.
   std::int32_t RhoCell(std::size_t theta_cell, float x, float y) const;
   std::span<std::int16_t> Row(std::size_t theta_cell);

@@ -58,12 +58,14 @@ std::vector<Indices> CutUnordered(Points points, Indices near, const Peak& peak,
 /// Marks the points of a segment and takes their votes back, once.
 void Spend(Points points, const LineSegment& segment, const HoughOptions& options, std::vector<Use>& uses,
            HoughAccumulator& accumulator) {
+  std::vector<Eigen::Vector2d> spent;
   for (const std::size_t i : segment.points) {
     const bool is_end = i == segment.points.front() || i == segment.points.back();
-    if (uses[i] == Use::kFree) accumulator.Withdraw(points[i]);
+    if (uses[i] == Use::kFree) spent.push_back(points[i]);
     const bool again = is_end && uses[i] == Use::kFree && options.order == PointOrder::kOrdered;
     uses[i] = again ? Use::kEnd : Use::kSpent;
   }
+  accumulator.Withdraw(spent);
 }
 
 std::vector<Use> MarkOutside(Points points, double max_distance) {

@@ -79,9 +79,9 @@ LineMoments Gather(const WeightedPoints& weighted) {
 
 Eigen::Matrix2d LineCovariance(const WeightedPoints& weighted, const LineMoments& moments,
                                const SliceNoise& noise) {
-  const Eigen::Matrix2d scatter = ScatterCovariance(moments, weighted.indices.size(), noise);
-  if (noise.systematic_sigma == 0.0) return scatter;
-  return scatter + SystematicCovariance(weighted, moments, noise);
+  Eigen::Matrix2d covariance = ScatterCovariance(moments, weighted.indices.size(), noise);
+  if (noise.systematic_sigma > 0.0) covariance += SystematicCovariance(weighted, moments, noise);
+  return covariance;
 }
 
 }  // namespace ariadne::slam

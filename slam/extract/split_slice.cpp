@@ -29,7 +29,8 @@ double DeviationFromChord(const Eigen::Vector2d& p, const Eigen::Vector2d& end,
 
 /// The point that is farthest from the chord of a piece.
 Farthest FarthestFromChord(Points points, const Piece& piece, const SliceNoise& noise) {
-  const Eigen::Vector2d end = points[piece.first], chord = points[piece.last] - end;
+  const Eigen::Vector2d& end = points[piece.first];
+  const Eigen::Vector2d chord = points[piece.last] - end;
   Farthest farthest;
   for (std::size_t i = piece.first + 1; i < piece.last; ++i) {
     const double deviation = DeviationFromChord(points[i], end, chord, noise);

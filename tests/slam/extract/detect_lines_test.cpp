@@ -269,11 +269,27 @@ TEST(HoughAccumulator, FindsTheLineWithMostVotes) {
     const Eigen::Vector2d found(std::cos(peak.theta), std::sin(peak.theta));
     for (int i = 0; i < 60; i += 59)
       EXPECT_NEAR(found.dot(points[i]), peak.offset, 0.045) << "a cell or two";
-    for (int i = 0; i < 60; ++i) accumulator.Withdraw(points[i]);
+    accumulator.Withdraw(std::span(points).first(60));
     EXPECT_LE(accumulator.Highest().votes, 12);
-    for (int i = 60; i < 100; ++i) accumulator.Withdraw(points[i]);
+    accumulator.Withdraw(std::span(points).subspan(60));
     EXPECT_EQ(accumulator.Highest().votes, 0);
   }
+}
+
+TEST(HoughAccumulator, KeepsACellClosedWhateverIsTakenBack) {
+  Points points;
+  for (std::size_t i = 0; i < HoughAccumulator::kMaxPoints; ++i) {
+    points.emplace_back(1.0,
+                        2.0 * static_cast<double>(i) / static_cast<double>(HoughAccumulator::kMaxPoints));
+  }
+  HoughAccumulator accumulator(points, 75.0);
+  const HoughAccumulator::Peak peak = accumulator.Highest();
+  EXPECT_GT(peak.votes, 12000);
+  accumulator.Close(peak);
+  const HoughAccumulator::Peak next = accumulator.Highest();
+  EXPECT_FALSE(next.theta_cell == peak.theta_cell && next.rho_cell == peak.rho_cell);
+  accumulator.Withdraw(points);
+  EXPECT_EQ(accumulator.Highest().votes, 0);
 }
 
 TEST(SplitAndMerge, PassesOverAStray) {
