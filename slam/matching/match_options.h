@@ -46,8 +46,8 @@ struct ScanGraphOptions {
   int further_edges = 1;
   double odometry_position = 0.1;
   double odometry_angle = 0.05;
-  double systematic_position = 0.0;
-  double systematic_angle = 0.0;
+  double systematic_position = 0.004;
+  double systematic_angle = 0.001;
   GraphRobust robust = GraphRobust::kGnc;
   ClosureOptions closure;
 
@@ -57,15 +57,16 @@ struct ScanGraphOptions {
           "the alignment of a new scan ends at shorter steps: graph and joint go on from there");
     visit("further_edges", self.further_edges, Unit(""), Range{0, 1000},
           "graph: alignments of a new scan beside that to the scan that it overlaps most, to the next "
-          "ones; more "
-          "are worse: their errors are not independent, as the scan is the same in all");
+          "ones; more are worse: their errors are not independent, as the scan is the same in all");
     visit("odometry_position", self.odometry_position, Unit("m/m"), Range{1e-6, 1e3},
           "sigma of the odometry's position by the way between two scans, beside 5 cm; it only holds what "
           "no surface does");
     visit("odometry_angle", self.odometry_angle, Unit("rad/m"), Range{1e-6, 1e3},
           "and of its angles, beside 0.05 rad");
-    visit("systematic_position", self.systematic_position, Unit("m"), Range{0.0, 10.0},
-          "sigma that each alignment has beside its covariance: what the scanner does alike in all scans");
+    visit(
+        "systematic_position", self.systematic_position, Unit("m"), Range{0.0, 10.0},
+        "sigma that each alignment has beside its covariance: what the scanner does alike in all "
+        "scans; makes the positions of simulated tours honest (NEES), whose scanner errs by up to 1.5 cm");
     visit("systematic_angle", self.systematic_angle, Unit("rad"), Range{0.0, 1.0},
           "the same of the angles");
     visit("robust", self.robust,
