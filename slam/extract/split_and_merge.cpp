@@ -29,46 +29,72 @@ std::optional<LineSegment> Merge(Points points, const LineSegment& a, const Line
   return fits ? line : std::nullopt;
 }
 
-/// The fits of the pieces with enough points, neighbours on one line merged.
-std::vector<LineSegment> FitAndMerge(Points points, std::span<const Piece> pieces, std::size_t min_points,
-                                     const SplitAndMergeOptions& options) {
+std::vector<LineSegment> FitAll(Points points, std::span<const Piece> pieces,
+                                const SplitAndMergeOptions& options) {
   std::vector<LineSegment> lines;
   for (const Piece& piece : pieces) {
-    if (piece.size() < min_points) continue;
+    if (piece.size() < static_cast<std::size_t>(options.min_points)) continue;
     std::optional<LineSegment> line = FitSegment(points, piece.first, piece.last, options.noise);
-    while (line && !lines.empty()) {
-      std::optional<LineSegment> merged = Merge(points, lines.back(), *line, options);
-      if (!merged) break;
-      line = std::move(merged);
-      lines.pop_back();
-    }
     if (line) lines.push_back(std::move(*line));
   }
   return lines;
 }
 
-/// The first of the points of two lines that meet which is nearer to the second line.
+std::vector<LineSegment> MergeNeighbors(Points points, std::vector<LineSegment> lines,
+                                        const SplitAndMergeOptions& options) {
+  std::vector<LineSegment> merged;
+  for (LineSegment& line : lines) {
+    while (!merged.empty()) {
+      std::optional<LineSegment> both = Merge(points, merged.back(), line, options);
+      if (!both) break;
+      line = std::move(*both);
+      merged.pop_back();
+    }
+    merged.push_back(std::move(line));
+  }
+  return merged;
+}
+
+/// Two neighbours, lengthened by the points between them that no line explains: pieces that were too short.
+std::pair<LineSegment, LineSegment> WithStrays(Points points, LineSegment a, LineSegment b,
+                                               const SplitAndMergeOptions& options) {
+  const auto continues = [&](const LineSegment& line, std::size_t end, std::size_t next) {
+    return !IsGap(points[end], points[next], options) &&
+           Deviation(line, points[next], options.noise) <= options.max_deviation;
+  };
+  const auto next_of_a = [&] { return a.points.back() + 1; };
+  while (next_of_a() < b.points.front() && continues(a, a.points.back(), next_of_a())) {
+    a.points.push_back(next_of_a());
+  }
+  while (b.points.front() > next_of_a() && continues(b, b.points.front(), b.points.front() - 1)) {
+    b.points.insert(b.points.begin(), b.points.front() - 1);
+  }
+  return {std::move(a), std::move(b)};
+}
+
+/// The first of the points of two neighbours that is nearer to the second one, if they meet.
 std::size_t FindCorner(Points points, const LineSegment& a, const LineSegment& b,
                        const SplitAndMergeOptions& options) {
+  std::size_t corner = b.points.front();
+  if (a.points.back() + 1 != corner) return corner;
   const auto nearer_to = [&](const LineSegment& line, const LineSegment& other, std::size_t i) {
     const double deviation = Deviation(line, points[i], options.noise);
     return deviation <= options.max_deviation && deviation < Deviation(other, points[i], options.noise);
   };
-  std::size_t corner = b.points.front();
   while (corner > a.points.front() + 2 && nearer_to(b, a, corner - 1)) --corner;
   if (corner < b.points.front()) return corner;
   while (corner + 2 < b.points.back() && nearer_to(a, b, corner)) ++corner;
   return corner;
 }
 
-/// Gives the points at a corner to the line that they are nearer to.
+/// Gives the points between two neighbours to the line that they are nearer to.
 void SettleCorner(Points points, LineSegment& a, LineSegment& b, const SplitAndMergeOptions& options) {
-  if (a.points.back() + 1 != b.points.front()) return;
-  const std::size_t corner = FindCorner(points, a, b, options);
-  if (corner == b.points.front()) return;
-  std::vector<std::size_t> both = a.points;
-  both.insert(both.end(), b.points.begin(), b.points.end());
+  const auto [longer_a, longer_b] = WithStrays(points, a, b, options);
+  const std::size_t corner = FindCorner(points, longer_a, longer_b, options);
+  std::vector<std::size_t> both = longer_a.points;
+  both.insert(both.end(), longer_b.points.begin(), longer_b.points.end());
   const auto of_a = static_cast<std::size_t>(std::ranges::lower_bound(both, corner) - both.begin());
+  if (both[of_a - 1] == a.points.back() && corner == b.points.front()) return;
   std::optional<LineSegment> new_a = FitSegment(points, std::span(both).first(of_a), options.noise);
   std::optional<LineSegment> new_b = FitSegment(points, std::span(both).subspan(of_a), options.noise);
   if (!new_a || !new_b) return;
@@ -81,10 +107,14 @@ void SettleCorner(Points points, LineSegment& a, LineSegment& b, const SplitAndM
 std::vector<LineSegment> DetectBySplitAndMerge(Points points, const SplitAndMergeOptions& options) {
   CheckOptions(options, "split_and_merge.");
   RequireFinite(points);
-  const auto min_points = static_cast<std::size_t>(options.min_points);
-  std::vector<LineSegment> lines = FitAndMerge(points, SplitSlice(points, options), min_points, options);
+  std::vector<LineSegment> lines = FitAll(points, SplitSlice(points, options), options);
+  lines = MergeNeighbors(points, std::move(lines), options);
   for (std::size_t i = 1; i < lines.size(); ++i) SettleCorner(points, lines[i - 1], lines[i], options);
-  std::erase_if(lines, [&](const LineSegment& line) { return line.points.size() < min_points; });
+  // Again: a piece that had one point from beyond its corner was on no line with its neighbour before.
+  lines = MergeNeighbors(points, std::move(lines), options);
+  std::erase_if(lines, [&](const LineSegment& line) {
+    return line.points.size() < static_cast<std::size_t>(options.min_points);
+  });
   return lines;
 }
 

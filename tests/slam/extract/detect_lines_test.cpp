@@ -305,6 +305,24 @@ TEST(SplitAndMerge, PassesOverAStray) {
   EXPECT_EQ(DetectBySplitAndMerge(points, strict).size(), 2u);
 }
 
+TEST(SplitAndMerge, GivesPointsAtACornerToTheirWall) {
+  Points exact;
+  AppendLine(exact, {2.0, -1.0}, {2.0, 1.97});
+  const std::size_t first_of_second = exact.size();
+  AppendLine(exact, {1.97, 2.0}, {-1.0, 2.0});
+  RandomStream stream = NamedStream(7, "detect_lines/corner");
+  std::size_t astray = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    Points points = exact;
+    for (Eigen::Vector2d& p : points) p += DrawNormal(stream, 0.0, 0.006) * p.normalized();
+    const std::vector<LineSegment> segments = DetectBySplitAndMerge(points, {});
+    ASSERT_EQ(segments.size(), 2u);
+    astray += std::max(segments[0].points.back() + 1, first_of_second) -
+              std::min(segments[0].points.back() + 1, first_of_second);
+  }
+  EXPECT_LE(astray, 20u) << "of 200 corners";
+}
+
 TEST(SplitAndMerge, TellsTwoPlacesOfAWallFromABend) {
   for (const double bend_deg : {0.0, 10.0}) {
     const double bend = RadFromDeg(bend_deg);
