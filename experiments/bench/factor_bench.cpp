@@ -20,7 +20,7 @@ void AddPair(Moments& moments, RandomStream& stream) {
   };
   const Eigen::Vector3d p = draw();
   const Eigen::Vector3d noise = 0.01 * draw();
-  if constexpr (std::is_same_v<Moments, slam::PointMoments>) {
+  if constexpr (std::is_same_v<Moments, slam::PointPairMoments>) {
     moments.Add(p, p + noise);
   } else {
     const Eigen::Vector3d normal = draw().normalized();
@@ -35,7 +35,7 @@ void EvaluateFactor(benchmark::State& state, std::size_t pairs) {
   Moments moments;
   for (std::size_t k = 0; k < pairs; ++k) AddPair(moments, stream);
   const auto factor = [&] {
-    if constexpr (std::is_same_v<Moments, slam::PointMoments>)
+    if constexpr (std::is_same_v<Moments, slam::PointPairMoments>)
       return slam::MakePointFactor(moments);
     else
       return slam::MakePlaneFactor(moments);
@@ -59,7 +59,7 @@ void Accumulate(benchmark::State& state) {
   for (auto _ : state) {
     Moments moments;
     for (const Eigen::Vector3d& p : points) {
-      if constexpr (std::is_same_v<Moments, slam::PointMoments>)
+      if constexpr (std::is_same_v<Moments, slam::PointPairMoments>)
         moments.Add(p, p);
       else
         moments.Add(p, p, Eigen::Matrix3d::Identity());
@@ -79,11 +79,13 @@ void Register(const std::string& name, benchmark::TimeUnit unit, Function functi
 void RegisterFactors() {
   for (const std::size_t pairs : {10, 1000, 100000}) {
     const std::string suffix = "/pairs:" + std::to_string(pairs);
-    Register("factor/point" + suffix, benchmark::kNanosecond, EvaluateFactor<slam::PointMoments>, pairs);
-    Register("factor/plane" + suffix, benchmark::kNanosecond, EvaluateFactor<slam::PlaneMoments>, pairs);
+    Register("factor/point" + suffix, benchmark::kNanosecond, EvaluateFactor<slam::PointPairMoments>,
+             pairs);
+    Register("factor/plane" + suffix, benchmark::kNanosecond, EvaluateFactor<slam::PlanePairMoments>,
+             pairs);
   }
-  Register("factor/accumulate_point", benchmark::kMicrosecond, Accumulate<slam::PointMoments>);
-  Register("factor/accumulate_plane", benchmark::kMicrosecond, Accumulate<slam::PlaneMoments>);
+  Register("factor/accumulate_point", benchmark::kMicrosecond, Accumulate<slam::PointPairMoments>);
+  Register("factor/accumulate_plane", benchmark::kMicrosecond, Accumulate<slam::PlanePairMoments>);
 }
 
 }  // namespace ariadne::bench

@@ -76,7 +76,7 @@ std::unique_ptr<ceres::CostFunction> JointPair::MakeFactor() const {
   const std::vector<Eigen::Vector3d>& model_points = model_.tree_laser.points();
   const std::vector<Eigen::Vector3d>& data_points = data_.points_laser.positions;
   if (options_.metric == Metric::kPointToPoint) {
-    PointMoments moments(T_model_data_);
+    PointPairMoments moments(T_model_data_);
     for (const WeightedPair& pair : pairs_)
       moments.Add(data_points[pair.data], model_points[pair.model], pair.weight);
     return MakePointFactor(moments);
@@ -84,7 +84,7 @@ std::unique_ptr<ceres::CostFunction> JointPair::MakeFactor() const {
   const PlaneMetric metric = MetricOf(model_, data_, options_);
   const Eigen::Matrix3d R_model_data = T_model_data_.RotationMatrix();
   const Eigen::Matrix3d R_data_model = R_model_data.transpose();
-  PlaneMoments moments(T_model_data_);
+  PlanePairMoments moments(T_model_data_);
   for (const WeightedPair& pair : pairs_) {
     if (pair.weight == 0.0) continue;
     const PairError error = metric.Error(pair.data, pair.model, T_model_data_, R_data_model);

@@ -63,10 +63,9 @@ struct ScanGraphOptions {
           "no surface does");
     visit("odometry_angle", self.odometry_angle, Unit("rad/m"), Range{1e-6, 1e3},
           "and of its angles, beside 0.05 rad");
-    visit(
-        "systematic_position", self.systematic_position, Unit("m"), Range{0.0, 10.0},
-        "sigma that each alignment has beside its covariance: what the scanner does alike in all "
-        "scans; makes the positions of simulated tours honest (NEES), whose scanner errs by up to 1.5 cm");
+    visit("systematic_position", self.systematic_position, Unit("m"), Range{0.0, 10.0},
+          "sigma that each alignment has beside its covariance: what the scanner does alike in all scans; "
+          "chosen so that the positions of a few simulated tours are less overconfident (NEES)");
     visit("systematic_angle", self.systematic_angle, Unit("rad"), Range{0.0, 1.0},
           "the same of the angles");
     visit("robust", self.robust,

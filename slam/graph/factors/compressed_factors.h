@@ -14,9 +14,9 @@ namespace ariadne::slam {
 
 /// Energy sum w |T_map_i p_i - T_map_j p_j|^2, residuals in the map's frame: three per rank
 /// of the moments, so 21 at most.
-std::unique_ptr<ceres::CostFunction> MakePointFactor(const PointMoments& moments);
+std::unique_ptr<ceres::CostFunction> MakePointFactor(const PointPairMoments& moments);
 
 /// Energy sum e^T W e with e = T_j_i p_i - p_j, residuals in the frame of scan j: 13.
-std::unique_ptr<ceres::CostFunction> MakePlaneFactor(const PlaneMoments& moments);
+std::unique_ptr<ceres::CostFunction> MakePlaneFactor(const PlanePairMoments& moments);
 
 }  // namespace ariadne::slam

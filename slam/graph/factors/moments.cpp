@@ -12,7 +12,7 @@ void CheckSameReference(const Pose3& a, const Pose3& b) {
 
 }  // namespace
 
-void PointMoments::Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j, double weight) {
+void PointPairMoments::Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j, double weight) {
   if (pairs_ == 0) origin_i_ = p_i;
   ++pairs_;
   Eigen::Matrix<double, 7, 1> z;
@@ -20,7 +20,7 @@ void PointMoments::Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j, d
   sum_.noalias() += (weight * z) * z.transpose();
 }
 
-PointMoments& PointMoments::operator+=(const PointMoments& other) {
+PointPairMoments& PointPairMoments::operator+=(const PointPairMoments& other) {
   CheckSameReference(T_j_i_reference_, other.T_j_i_reference_);
   if (other.pairs_ == 0) return *this;
   if (pairs_ == 0) return *this = other;
@@ -31,8 +31,8 @@ PointMoments& PointMoments::operator+=(const PointMoments& other) {
   return *this;
 }
 
-void PlaneMoments::Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j,
-                       const Eigen::Matrix3d& information_j) {
+void PlanePairMoments::Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j,
+                           const Eigen::Matrix3d& information_j) {
   if (pairs_ == 0) origin_i_ = p_i;
   ++pairs_;
   const Eigen::Vector4d u = (p_i - origin_i_).homogeneous();  // e = [D_R d] u + e_reference
@@ -46,7 +46,7 @@ void PlaneMoments::Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j,
   sum_(12, 12) += e_reference.dot(We);
 }
 
-PlaneMoments& PlaneMoments::operator+=(const PlaneMoments& other) {
+PlanePairMoments& PlanePairMoments::operator+=(const PlanePairMoments& other) {
   CheckSameReference(T_j_i_reference_, other.T_j_i_reference_);
   if (other.pairs_ == 0) return *this;
   if (pairs_ == 0) return *this = other;

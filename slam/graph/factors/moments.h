@@ -15,15 +15,15 @@
 namespace ariadne::slam {
 
 /// Of the energy sum w |T_map_i p_i - T_map_j p_j|^2: the moment matrix of (p_i, p_j, 1).
-class PointMoments {
+class PointPairMoments {
  public:
   using Matrix7 = Eigen::Matrix<double, 7, 7>;
 
-  explicit PointMoments(const Pose3& T_j_i_reference = {}) : T_j_i_reference_(T_j_i_reference) {}
+  explicit PointPairMoments(const Pose3& T_j_i_reference = {}) : T_j_i_reference_(T_j_i_reference) {}
 
   /// A pair of points [m] with its weight >= 0.
   void Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j, double weight = 1.0);
-  PointMoments& operator+=(const PointMoments& other);
+  PointPairMoments& operator+=(const PointPairMoments& other);
 
   std::size_t pairs() const { return pairs_; }
   double weight() const { return sum_(6, 6); }
@@ -43,15 +43,15 @@ class PointMoments {
 /// Of the energy sum e^T W e with e = T_j_i p_i - p_j in the frame of scan j, each pair with a symmetric
 /// positive semidefinite W of its own: it is quadratic in the 12 entries of T_j_i.
 /// For point-to-plane W = w n_j n_j^T; for plane-to-plane the information of the difference of the points.
-class PlaneMoments {
+class PlanePairMoments {
  public:
   using Matrix13 = Eigen::Matrix<double, 13, 13>;
 
-  explicit PlaneMoments(const Pose3& T_j_i_reference = {}) : T_j_i_reference_(T_j_i_reference) {}
+  explicit PlanePairMoments(const Pose3& T_j_i_reference = {}) : T_j_i_reference_(T_j_i_reference) {}
 
   /// A pair of points [m] with its information in the frame of scan j.
   void Add(const Eigen::Vector3d& p_i, const Eigen::Vector3d& p_j, const Eigen::Matrix3d& information_j);
-  PlaneMoments& operator+=(const PlaneMoments& other);
+  PlanePairMoments& operator+=(const PlanePairMoments& other);
 
   std::size_t pairs() const { return pairs_; }
   const Pose3& T_j_i_reference() const { return T_j_i_reference_; }

@@ -15,10 +15,10 @@ using Vector13 = Eigen::Matrix<double, 13, 1>;
 using Columns6 = Eigen::Matrix<double, 12, 6>;
 using Rows13x7 = Eigen::Matrix<double, 13, 7, Eigen::RowMajor>;
 
-/// The residuals are L^T y with y as in PlaneMoments::sum, whose root is L.
+/// The residuals are L^T y with y as in PlanePairMoments::sum, whose root is L.
 class PlaneFactor final : public ceres::SizedCostFunction<13, kBlockSize<Pose3>, kBlockSize<Pose3>> {
  public:
-  explicit PlaneFactor(const PlaneMoments& moments)
+  explicit PlaneFactor(const PlanePairMoments& moments)
       : R_j_i_reference_(moments.T_j_i_reference().RotationMatrix()),
         origin_i_(moments.origin_i()),
         origin_j_(moments.T_j_i_reference() * origin_i_) {
@@ -68,12 +68,12 @@ class PlaneFactor final : public ceres::SizedCostFunction<13, kBlockSize<Pose3>,
   Eigen::Matrix3d R_j_i_reference_;
   Eigen::Vector3d origin_i_;
   Eigen::Vector3d origin_j_;  // T_j_i_reference origin_i
-  PlaneMoments::Matrix13 L_transposed_ = PlaneMoments::Matrix13::Zero();
+  PlanePairMoments::Matrix13 L_transposed_ = PlanePairMoments::Matrix13::Zero();
 };
 
 }  // namespace
 
-std::unique_ptr<ceres::CostFunction> MakePlaneFactor(const PlaneMoments& moments) {
+std::unique_ptr<ceres::CostFunction> MakePlaneFactor(const PlanePairMoments& moments) {
   if (moments.pairs() == 0) Fail("a factor of point-to-plane pairs needs at least one pair");
   return std::make_unique<PlaneFactor>(moments);
 }

@@ -24,7 +24,7 @@ struct VirtualPair {
 
 class PointFactor final : public ceres::CostFunction {
  public:
-  explicit PointFactor(const PointMoments& moments)
+  explicit PointFactor(const PointPairMoments& moments)
       : R_j_i_reference_(moments.T_j_i_reference().RotationMatrix()),
         origin_i_(moments.origin_i()),
         origin_j_(moments.T_j_i_reference() * origin_i_) {
@@ -76,7 +76,7 @@ class PointFactor final : public ceres::CostFunction {
 
 }  // namespace
 
-std::unique_ptr<ceres::CostFunction> MakePointFactor(const PointMoments& moments) {
+std::unique_ptr<ceres::CostFunction> MakePointFactor(const PointPairMoments& moments) {
   if (moments.pairs() == 0) Fail("a factor of point pairs needs at least one pair");
   return std::make_unique<PointFactor>(moments);
 }

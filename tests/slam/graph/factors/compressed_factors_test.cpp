@@ -35,14 +35,14 @@ struct Case {
   Pairs pairs;
 };
 
-PointMoments MomentsOfPoints(const Case& c, const Pose3& T_j_i_reference) {
-  PointMoments moments(T_j_i_reference);
+PointPairMoments MomentsOfPoints(const Case& c, const Pose3& T_j_i_reference) {
+  PointPairMoments moments(T_j_i_reference);
   for (const PointPair& pair : c.pairs) moments.Add(pair.p_i, pair.p_j, pair.information_j.trace());
   return moments;
 }
 
-PlaneMoments MomentsOfPlanes(const Case& c, const Pose3& T_j_i_reference) {
-  PlaneMoments moments(T_j_i_reference);
+PlanePairMoments MomentsOfPlanes(const Case& c, const Pose3& T_j_i_reference) {
+  PlanePairMoments moments(T_j_i_reference);
   for (const PointPair& pair : c.pairs) moments.Add(pair.p_i, pair.p_j, pair.information_j);
   return moments;
 }
@@ -223,7 +223,7 @@ TEST(CompressedFactors, AddUpOverChunks) {
       auto part = zero;
       for (std::size_t k = begin; k < end; ++k) {
         const PointPair& pair = c.pairs[k];
-        if constexpr (std::is_same_v<decltype(part), PointMoments>)
+        if constexpr (std::is_same_v<decltype(part), PointPairMoments>)
           part.Add(pair.p_i, pair.p_j, pair.information_j.trace());
         else
           part.Add(pair.p_i, pair.p_j, pair.information_j);
@@ -231,30 +231,32 @@ TEST(CompressedFactors, AddUpOverChunks) {
       return part;
     });
   };
-  const PointMoments points = sum(PointMoments(T_j_i), 1);
-  const PlaneMoments planes = sum(PlaneMoments(T_j_i), 1);
+  const PointPairMoments points = sum(PointPairMoments(T_j_i), 1);
+  const PlanePairMoments planes = sum(PlanePairMoments(T_j_i), 1);
   EXPECT_EQ(points.pairs(), c.pairs.size());
   EXPECT_EQ(planes.pairs(), c.pairs.size());
   ExpectSame(*MakePointFactor(points), c, SumOverPoints(c));
   ExpectSame(*MakePlaneFactor(planes), c, SumOverPlanes(c));
-  EXPECT_EQ(sum(PointMoments(T_j_i), 2).sum(), points.sum()) << "to the last bit";
-  EXPECT_EQ(sum(PlaneMoments(T_j_i), 2).sum(), planes.sum()) << "to the last bit";
+  EXPECT_EQ(sum(PointPairMoments(T_j_i), 2).sum(), points.sum()) << "to the last bit";
+  EXPECT_EQ(sum(PlanePairMoments(T_j_i), 2).sum(), planes.sum()) << "to the last bit";
 }
 
 TEST(CompressedFactors, SayWhatTheyCannotTake) {
   using testing::HasSubstr;
-  EXPECT_THAT(ErrorOf([] { MakePointFactor(PointMoments()); }), HasSubstr("at least one pair"));
-  EXPECT_THAT(ErrorOf([] { MakePlaneFactor(PlaneMoments()); }), HasSubstr("at least one pair"));
+  EXPECT_THAT(ErrorOf([] { MakePointFactor(PointPairMoments()); }), HasSubstr("at least one pair"));
+  EXPECT_THAT(ErrorOf([] { MakePlaneFactor(PlanePairMoments()); }), HasSubstr("at least one pair"));
   const Eigen::Vector3d p(1.0, 2.0, 3.0);
-  PointMoments points;
+  PointPairMoments points;
   points.Add(p, p, -1.0);
   EXPECT_THAT(ErrorOf([&] { MakePointFactor(points); }), HasSubstr("not positive semidefinite"));
-  PlaneMoments planes;
+  PlanePairMoments planes;
   planes.Add(p, p, std::nan("") * Eigen::Matrix3d::Identity());
   EXPECT_THAT(ErrorOf([&] { MakePlaneFactor(planes); }), HasSubstr("not finite"));
   const Pose3 elsewhere = Pose3::Exp(Pose3::Tangent::Ones());
-  EXPECT_THAT(ErrorOf([&] { points += PointMoments(elsewhere); }), HasSubstr("different reference poses"));
-  EXPECT_THAT(ErrorOf([&] { planes += PlaneMoments(elsewhere); }), HasSubstr("different reference poses"));
+  EXPECT_THAT(ErrorOf([&] { points += PointPairMoments(elsewhere); }),
+              HasSubstr("different reference poses"));
+  EXPECT_THAT(ErrorOf([&] { planes += PlanePairMoments(elsewhere); }),
+              HasSubstr("different reference poses"));
 }
 
 class CompressedHallwayPairs : public HallwayTest {
