@@ -120,9 +120,12 @@ RegisterSummary ReportRegistration(const RegisterOptions& options, const ScanSou
       static_cast<std::size_t>(std::count(log.registered.begin(), log.registered.end(), false));
   summary.residuals = fmt::format(
       "distance of a scan's points to the surface of another, median over {} overlapping pairs: {:.2f} cm "
-      "before, "
-      "{:.2f} cm after",
+      "before, {:.2f} cm after",
       residuals.size(), 100.0 * before, 100.0 * after);
+  if (!log.closures.rows.empty()) {
+    summary.residuals += fmt::format("\nclosures of loops: {} tried, {} accepted; closures.csv says why",
+                                     log.closures.rows.size(), CountAccepted(log));
+  }
   run.WriteCsv("residuals.csv", ResidualTable(residuals));
   run.WriteJson("metrics.json", {{"scans", summary.scans},
                                  {"registered", summary.scans - summary.unregistered},
