@@ -13,7 +13,8 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr double kSigmas = 3.0;  // as far as a relative position is looked for
+constexpr int kMaxIterations = 60;  // a closure that needs more than the gate's way down is none
+constexpr double kSigmas = 3.0;     // as far as a relative position is looked for
 
 double LargestSigma(const Pose3::Square& covariance) {
   const Eigen::Matrix3d position = covariance.topLeftCorner<3, 3>();
@@ -28,6 +29,13 @@ std::vector<Pose3::Square> CovariancesTo(const ScanMap& map, const std::vector<s
   PoseGraph3 graph = map.graph.graph;
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) graph.nodes[i].T_map_node = map.scans[i].T_map_laser;
   return MarginalCovariances(graph, pairs).pairs;
+}
+
+/// With the wider gate hardly fewer points find a pair than after an alignment with the narrow one: where
+/// they are too few for a closure already, it need not be tried.
+std::size_t LeastPairs(const MapScan& scan, const MatchOptions& match) {
+  const double share = match.graph.closure.min_overlap * static_cast<double>(scan.points_laser.size());
+  return std::max(static_cast<std::size_t>(match.overlap_pairs), static_cast<std::size_t>(share));
 }
 
 /// Accepted where nothing speaks against it: the verdict is the first that does.
@@ -71,7 +79,7 @@ std::vector<ClosureCandidate> ProposeClosures(const ScanMap& map, const MatchOpt
     if (candidate.radius <= align.max_distance || distance - candidate.radius > reach) continue;
     candidate.pairs = CountOverlap(map.scans[candidate.scan], map.scans[last],
                                    align.max_distance + std::min(candidate.radius, reach), parallel);
-    if (candidate.pairs > static_cast<std::size_t>(match.overlap_pairs)) candidates.push_back(candidate);
+    if (candidate.pairs > LeastPairs(map.scans[last], match)) candidates.push_back(candidate);
   }
   std::ranges::stable_sort(candidates, std::greater{}, &ClosureCandidate::pairs);
   const auto most = static_cast<std::size_t>(match.graph.closure.max_candidates);
@@ -86,6 +94,7 @@ Closure TryClosure(ScanMap& map, const ClosureCandidate& candidate, const MatchO
   MapScan& to = map.scans[last];
   AlignOptions wide = align;
   wide.assess = true;
+  wide.max_iterations = std::min(align.max_iterations, kMaxIterations);
   wide.start_distance = std::max(align.start_distance, candidate.radius);
   if (candidate.radius > align.start_distance)
     wide.search_radius = std::max(align.search_radius, candidate.radius);

@@ -96,10 +96,12 @@ MatchResult MatchToOverlapping(const MatchContext& c) {
   const std::vector<Overlap> overlaps = FindOverlaps(c);
   std::vector<std::size_t> partners;
   for (const Overlap& overlap : overlaps) {
+    if (partners.size() == static_cast<std::size_t>(c.match.graph.start_partners)) break;
     if (IsEnough(c, overlap)) partners.push_back(overlap.scan);
   }
   if (partners.empty()) return WithoutOverlap(c, overlaps);
   AlignOptions align = c.align;
+  align.shrink *= align.shrink;  // down to the gate in half the steps: what follows goes on from there
   align.convergence_step = std::max(align.convergence_step, c.match.graph.start_step);
   return MatchOnce({c.map, c.match, align, c.on_progress, Parallel(align.threads)}, std::move(partners));
 }

@@ -43,6 +43,7 @@ struct ClosureOptions {
 /// What the methods graph and joint do beside the alignments.
 struct ScanGraphOptions {
   double start_step = 1e-3;
+  int start_partners = 4;
   int further_edges = 1;
   double odometry_position = 0.1;
   double odometry_angle = 0.05;
@@ -55,6 +56,9 @@ struct ScanGraphOptions {
   static void Visit(Self& self, Visitor& visit) {
     visit("start_step", self.start_step, Unit("m, rad"), Range{0.0, 1.0},
           "the alignment of a new scan ends at shorter steps: graph and joint go on from there");
+    visit("start_partners", self.start_partners, Unit("scans"), Range{1, 1000000},
+          "it is aligned to the union of so many scans, those that it overlaps most; one alone may mislead "
+          "it");
     visit("further_edges", self.further_edges, Unit(""), Range{0, 1000},
           "graph: alignments of a new scan beside that to the scan that it overlaps most, to the next "
           "ones; more are worse: their errors are not independent, as the scan is the same in all");
