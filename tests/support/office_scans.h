@@ -5,8 +5,8 @@
 
 #include "drivers/simulated/box_world_scan.h"
 #include "slam/geometry/angles.h"
-#include "slam/reduce/reduce.h"
 #include "slam/matching/map_scan.h"
+#include "slam/reduce/reduce.h"
 #include "tests/support/random_geometry.h"
 
 /// Coarse scans of the simulated office, for tests that match many.
