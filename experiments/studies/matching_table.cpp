@@ -55,6 +55,11 @@ std::string ToText(const Interval& i) {
   return fmt::format("{:.2f} [{:.2f}, {:.2f}]", i.estimate, i.low, i.high);
 }
 
+/// Only a method that tells covariances has a NEES.
+bool HasCovariances(const Values& nees) {
+  return std::ranges::any_of(nees, [](double value) { return value > 0.0; });
+}
+
 }  // namespace
 
 Table TrialTable(const std::vector<LabelledTrial>& trials) {
@@ -81,8 +86,10 @@ Table MedianTable(const std::vector<LabelledTrial>& trials, const BootstrapOptio
     for (const std::string& method : Distinct(trials, &LabelledTrial::method)) {
       table.rows.push_back({Exact(noise), method});
       for (const Measure& measure : kMeasures) {
+        const Values values = Select(trials, noise, method, measure);
+        const bool unknown = measure.value == &MatchingTrial::nees && !HasCovariances(values);
         table.rows.back().push_back(
-            ToText(BootstrapInterval(Select(trials, noise, method, measure), MedianStatistic, bootstrap)));
+            unknown ? "-" : ToText(BootstrapInterval(values, MedianStatistic, bootstrap)));
       }
     }
   }
