@@ -343,7 +343,8 @@ def add_matching(values, table, run):
     for method, timing in read_json(run / "timing.json").items():
         values.set(f"{table}.{method}.time", duration(timing["median_s"]))
     trials = read_csv(run / "trials.csv")
-    scans = int(re.search(r"^ +scans: (\d+)", (run / "config.yaml").read_text(), re.M).group(1))
+    tour = (run / "config.yaml").read_text().split("\n  tour:\n", 1)[1]
+    scans = int(re.search(r"^    scans: (\d+)", tour, re.M).group(1))
     values.set(f"{table}.scans", scans)
     values.set(f"{table}.seeds", len({row["seed"] for row in trials}))
     values.set(f"{table}.unregistered", sum(scans - int(row["registered"]) for row in trials

@@ -31,6 +31,15 @@ slam::GraphOptions FromOdometry(slam::GraphOptions options, GraphRobust kernel) 
   return options;
 }
 
+slam::PoseGraph3 WithoutWrong(const Simulated& simulated) {
+  slam::PoseGraph3 graph = simulated.graph;
+  graph.edges.clear();
+  for (std::size_t k = 0; k < simulated.graph.edges.size(); ++k) {
+    if (!simulated.wrong_edge[k]) graph.edges.push_back(simulated.graph.edges[k]);
+  }
+  return graph;
+}
+
 }  // namespace
 
 double PositionRms(const slam::PoseGraph3& graph, const std::vector<Pose3>& truth) {
@@ -58,12 +67,11 @@ ClosureVerdicts JudgeClosures(const Simulated& simulated, const std::vector<doub
 
 std::vector<RobustTrial> TryKernels(slam::SimulatedGraphOptions walk, const slam::GraphOptions& options,
                                     double wrong_share, std::uint64_t seed) {
-  walk.wrong_closures = 0.0;
-  const Simulated clean = slam::SimulateGraph<Pose3>(walk, seed);
-  const double reference = PositionRms(
-      slam::Optimize(clean.graph, FromOdometry(options, GraphRobust::kNone)).graph, clean.truth);
   walk.wrong_closures = wrong_share;
   const Simulated spoiled = slam::SimulateGraph<Pose3>(walk, seed);
+  const double reference =
+      PositionRms(slam::Optimize(WithoutWrong(spoiled), FromOdometry(options, GraphRobust::kNone)).graph,
+                  spoiled.truth);
   std::vector<RobustTrial> trials;
   for (const GraphRobust kernel : kKernels) {
     const auto result = slam::Optimize(spoiled.graph, FromOdometry(options, kernel));

@@ -24,7 +24,7 @@ struct RobustTrial {
   std::uint64_t seed = 0;
   std::string kernel;
   double position_rms = 0.0;   // [m]
-  double reference_rms = 0.0;  // of the same graph without wrong closures, without kernel [m]
+  double reference_rms = 0.0;  // of the same graph without its wrong closures, without kernel [m]
   ClosureVerdicts verdicts;
 };
 

@@ -104,13 +104,14 @@ PoseGraph<Pose> Settled(const PoseGraph<Pose>& graph) {
   return Optimize(graph, options).graph;
 }
 
-/// The bound that a tenth of `max_gap` asks for, else the best that there is.
+/// A bound within `max_gap` of the objective of these poses, else the best that there is.
 template <typename Pose>
-Bound FindBound(const PoseGraph<Pose>& graph, double max_gap) {
+Bound FindBound(const PoseGraph<Pose>& graph, double objective, double max_gap) {
   Prover prover(graph);
   const double shift = prover.ShiftOfGap(0.1 * max_gap);
-  if (prover.Holds(shift)) return prover.BoundOf(shift);
-  // Either these poses are no global minimum, or they are only near one.
+  const Bound first = prover.BoundOf(shift);
+  // Where poses are only near a minimum, the multipliers fall short of the objective.
+  if (objective - first.lower <= max_gap && prover.Holds(shift)) return first;
   Prover settled(Settled(graph));
   return settled.BoundOf(settled.Holds(shift) ? shift : settled.FindShift(shift));
 }
@@ -129,8 +130,8 @@ Certificate Certify(const PoseGraph<Pose>& graph, double max_relative_gap) {
   // No objective is below zero, which proves poses that fulfil all edges to rounding without any matrix.
   const double nothing = kNothing * Pose::kDof * static_cast<double>(graph.edges.size());
   const double max_gap = max_relative_gap * certificate.objective;
-  const Bound bound =
-      certificate.objective <= nothing ? Bound{certificate.objective, 0.0} : FindBound(graph, max_gap);
+  const Bound bound = certificate.objective <= nothing ? Bound{certificate.objective, 0.0}
+                                                       : FindBound(graph, certificate.objective, max_gap);
   certificate.least_eigenvalue = bound.least_eigenvalue;
   certificate.lower_bound = std::min(bound.lower, certificate.objective);
   if (certificate.objective > 0.0)

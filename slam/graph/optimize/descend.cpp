@@ -37,6 +37,7 @@ auto TimedBy(double& sum, const Make& make) {
 
 // Of the squared error of one residual: what is less, is rounding. Measurements without noise end there.
 constexpr double kRounding = 1e-14;
+constexpr double kLastDigits = 1e-12;  // of an objective, which is a sum over all edges
 
 }  // namespace
 
@@ -109,10 +110,11 @@ bool Descent<Pose>::Improve(PoseGraph<Pose>& graph, const EdgeWeighting& weighti
     settled = damping_ == 0.0 && step->promised <= std::max(convergence * std::abs(before), least_promise_);
     PoseGraph<Pose> moved = Moved(graph, step->tau);
     if (settled) {
-      // The model is exact here, but for rounding; whether the step is worth it, its objective tells.
+      // The model is exact here: the step is made unless the objective rises by more than rounding, for it
+      // takes away what is left of the gradient, which a certificate sees long after the objective does.
       const Timed timed(times_.linearize);
       const double after = WeightedObjective(moved, weighting);
-      if (after <= before) graph = std::move(moved);
+      if (after <= before + kLastDigits * std::abs(before)) graph = std::move(moved);
       objective_ = std::min(before, after);
       return true;
     }
