@@ -61,7 +61,6 @@ BlockCholesky::BlockCholesky(const BlockMatrix& pattern, FactorKind kind)
   impl_->factor = FactorPtr(cholmod_analyze(&view, &common), FreeFactor{&common});
   CheckMemory(common);
   impl_->entries = common.lnz;
-  impl_->operations = common.fl;
 }
 
 BlockCholesky::~BlockCholesky() = default;
@@ -91,6 +90,5 @@ Eigen::MatrixXd BlockCholesky::Solve(const Eigen::MatrixXd& right_sides) const {
 }
 
 double BlockCholesky::entries() const { return impl_->entries; }
-double BlockCholesky::operations() const { return impl_->operations; }
 
 }  // namespace ariadne::slam

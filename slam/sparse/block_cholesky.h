@@ -27,9 +27,8 @@ class BlockCholesky {
   /// Solves for one or more right sides, in the order of elimination. After a successful Factorize.
   Eigen::MatrixXd Solve(const Eigen::MatrixXd& right_sides) const;
 
-  /// The entries of the factor, and the multiplications and additions that it takes.
+  /// The entries of the factor.
   double entries() const;
-  double operations() const;
 
  private:
   friend std::vector<Eigen::MatrixXd> DiagonalBlocksOfInverse(const BlockCholesky& factor,

@@ -9,7 +9,6 @@ struct BlockCholesky::Impl {
   CholmodContext context;
   FactorPtr factor{nullptr, FreeFactor{nullptr}};
   double entries = 0.0;
-  double operations = 0.0;
 };
 
 /// A view of the lower half as CHOLMOD takes it. Refers to the matrix.

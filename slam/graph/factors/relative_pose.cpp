@@ -2,8 +2,9 @@
 
 #include <ceres/sized_cost_function.h>
 
-#include "slam/graph/factors/linearize_error.h"
 #include "slam/graph/factors/pose_block.h"
+#include "slam/graph/factors/square_root.h"
+#include "slam/graph/linearize.h"
 
 namespace ariadne::slam {
 namespace {
@@ -23,22 +24,23 @@ class RelativePoseFactor final
     : public ceres::SizedCostFunction<Pose::kDof, kBlockSize<Pose>, kBlockSize<Pose>> {
  public:
   RelativePoseFactor(const PoseEdge<Pose>& edge, RotationError rotation_error)
-      : T_from_to_(edge.T_from_to),
+      : measured_(edge.T_from_to),
         root_(RootOfInformation<Pose>(edge.information)),
         rotation_error_(rotation_error) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const LinearizedError<Pose> linearized = LinearizeError(
-        T_from_to_, FromBlock<Pose>(parameters[0]), FromBlock<Pose>(parameters[1]), rotation_error_);
-    Eigen::Map<typename Pose::Tangent>(residuals).noalias() = root_ * linearized.error;
+    const LinearError<Pose> linear =
+        Linearize(measured_, RotatedPose<Pose>(FromBlock<Pose>(parameters[0])),
+                  RotatedPose<Pose>(FromBlock<Pose>(parameters[1])), rotation_error_);
+    Eigen::Map<typename Pose::Tangent>(residuals).noalias() = root_ * linear.e;
     if (jacobians == nullptr) return true;
-    WriteJacobian<Pose>(root_ * linearized.by_from, jacobians[0]);
-    WriteJacobian<Pose>(root_ * linearized.by_to, jacobians[1]);
+    WriteJacobian<Pose>(root_ * linear.J_from, jacobians[0]);
+    WriteJacobian<Pose>(root_ * linear.J_to, jacobians[1]);
     return true;
   }
 
  private:
-  Pose T_from_to_;
+  RotatedPose<Pose> measured_;
   typename Pose::Square root_;
   RotationError rotation_error_;
 };
@@ -47,21 +49,20 @@ template <typename Pose>
 class PriorFactor final : public ceres::SizedCostFunction<Pose::kDof, kBlockSize<Pose>> {
  public:
   PriorFactor(const PosePrior<Pose>& prior, RotationError rotation_error)
-      : T_map_node_(prior.T_map_node),
+      : measured_(prior.T_map_node),
         root_(RootOfInformation<Pose>(prior.information)),
         rotation_error_(rotation_error) {}
 
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const Pose T_map_node = FromBlock<Pose>(parameters[0]);
-    const LinearizedError<Pose> linearized =
-        LinearizeError(T_map_node_, Pose(), T_map_node, rotation_error_);
-    Eigen::Map<typename Pose::Tangent>(residuals).noalias() = root_ * linearized.error;
-    if (jacobians != nullptr) WriteJacobian<Pose>(root_ * linearized.by_to, jacobians[0]);
+    const RotatedPose<Pose> T_map_node(FromBlock<Pose>(parameters[0]));
+    const LinearError<Pose> linear = Linearize(measured_, RotatedPose<Pose>(), T_map_node, rotation_error_);
+    Eigen::Map<typename Pose::Tangent>(residuals).noalias() = root_ * linear.e;
+    if (jacobians != nullptr) WriteJacobian<Pose>(root_ * linear.J_to, jacobians[0]);
     return true;
   }
 
  private:
-  Pose T_map_node_;
+  RotatedPose<Pose> measured_;
   typename Pose::Square root_;
   RotationError rotation_error_;
 };

@@ -1,5 +1,6 @@
 #include "slam/graph/factors/square_root.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
 #include "slam/base/error.h"
@@ -26,5 +27,18 @@ Eigen::MatrixXd SquareRoot(const Eigen::MatrixXd& matrix, const char* of) {
   return scale.asDiagonal() * solver.eigenvectors().rightCols(rank) *
          values.tail(rank).cwiseSqrt().asDiagonal();
 }
+
+template <typename Pose>
+typename Pose::Square RootOfInformation(const typename Pose::Square& information) {
+  const Eigen::LLT<typename Pose::Square, Eigen::Upper> factor(information);
+  if (information.allFinite() && factor.info() == Eigen::Success) return factor.matrixU();
+  typename Pose::Square root = Pose::Square::Zero();  // rank-deficient, or an error
+  const Eigen::MatrixXd L = SquareRoot(information, "the information matrix of a measurement");
+  root.topRows(L.cols()) = L.transpose();
+  return root;
+}
+
+template Pose2::Square RootOfInformation<Pose2>(const Pose2::Square&);
+template Pose3::Square RootOfInformation<Pose3>(const Pose3::Square&);
 
 }  // namespace ariadne::slam

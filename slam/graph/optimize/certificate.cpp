@@ -18,7 +18,6 @@ namespace {
 /// The factor of an exactly singular matrix exists only if it is shifted by what rounding may take away.
 constexpr double kRounding = 1e-15;  // of the scale of the matrix
 constexpr int kMaxShifts = 60;
-constexpr double kNothing = 1e-14;  // of the squared error of one residual: what is less, is rounding
 
 template <typename Pose>
 constexpr int kD = Pose::Point::RowsAtCompileTime;
@@ -128,10 +127,10 @@ Certificate Certify(const PoseGraph<Pose>& graph, double max_relative_gap) {
   Certificate certificate;
   certificate.objective = Objective(graph);
   // No objective is below zero, which proves poses that fulfil all edges to rounding without any matrix.
-  const double nothing = kNothing * Pose::kDof * static_cast<double>(graph.edges.size());
   const double max_gap = max_relative_gap * certificate.objective;
-  const Bound bound = certificate.objective <= nothing ? Bound{certificate.objective, 0.0}
-                                                       : FindBound(graph, certificate.objective, max_gap);
+  const Bound bound = certificate.objective <= NegligibleObjective(graph)
+                          ? Bound{certificate.objective, 0.0}
+                          : FindBound(graph, certificate.objective, max_gap);
   certificate.least_eigenvalue = bound.least_eigenvalue;
   certificate.lower_bound = std::min(bound.lower, certificate.objective);
   if (certificate.objective > 0.0)

@@ -1,8 +1,6 @@
 #include "slam/graph/optimize/certificate_matrix.h"
 
-#include <algorithm>
-
-#include "slam/graph/optimize/linearize.h"
+#include "slam/graph/linearize.h"
 
 namespace ariadne::slam {
 namespace {
@@ -37,22 +35,6 @@ struct EdgeBlocks {
     weight(0, 0) = edge.information(0, 0);
   }
 };
-
-/// The node nearest to the middle of the graph: held there, the others are as little far away, and rounding
-/// errors as small, as can be.
-template <typename Pose>
-std::size_t MiddleNode(const PoseGraph<Pose>& graph) {
-  typename Pose::Point middle = Pose::Point::Zero();
-  for (const PoseNode<Pose>& node : graph.nodes) middle += node.T_map_node.translation;
-  middle /= static_cast<double>(graph.nodes.size());
-  const auto distance = [&](const PoseNode<Pose>& node) {
-    return (node.T_map_node.translation - middle).squaredNorm();
-  };
-  const auto nearest =
-      std::min_element(graph.nodes.begin(), graph.nodes.end(),
-                       [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-  return static_cast<std::size_t>(nearest - graph.nodes.begin());
-}
 
 std::vector<BlockPlace> PlacesOf(const auto& graph) {
   std::vector<BlockPlace> places;
@@ -89,10 +71,9 @@ CertificateMatrix MakeCertificateMatrix(const PoseGraph<Pose>& graph) {
     certificate.trace_of_multipliers += product.trace();
     certificate.S.template Add<d + 1>(certificate.S.Diagonal(i), -multipliers);
   }
-  const std::size_t held = MiddleNode(graph);
   Block<Pose> gauge = Block<Pose>::Zero();
-  gauge(0, 0) = certificate.S.DiagonalEntries()[certificate.S.row(held)];
-  certificate.S.template Add<d + 1>(certificate.S.Diagonal(held), gauge);
+  gauge(0, 0) = certificate.S.DiagonalEntries()[certificate.S.row(0)];
+  certificate.S.template Add<d + 1>(certificate.S.Diagonal(0), gauge);
   return certificate;
 }
 

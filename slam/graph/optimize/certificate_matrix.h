@@ -16,7 +16,7 @@ struct CertificateMatrix {
 };
 
 /// `graph` is isotropic and has no priors. All nodes are in the matrix; the gauge is removed by a weight on
-/// one translation, which changes nothing else.
+/// the first translation, which changes nothing else.
 template <typename Pose>
 CertificateMatrix MakeCertificateMatrix(const PoseGraph<Pose>& graph);
 

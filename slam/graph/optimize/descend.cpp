@@ -35,8 +35,6 @@ auto TimedBy(double& sum, const Make& make) {
   return make();
 }
 
-// Of the squared error of one residual: what is less, is rounding. Measurements without noise end there.
-constexpr double kRounding = 1e-14;
 constexpr double kLastDigits = 1e-12;  // of an objective, which is a sum over all edges
 
 }  // namespace
@@ -147,7 +145,7 @@ DescentOutcome Descent<Pose>::Run(PoseGraph<Pose>& graph, const EdgeWeighting& w
   outcome.objective_start = objective_ = system_.objective();
   // A kernel's own curvature is not in the matrix, so that its steps converge more slowly.
   const double convergence = (weighting.kernel == GraphRobust::kNone ? 1.0 : 1e-3) * options.convergence;
-  least_promise_ = kRounding * Pose::kDof * static_cast<double>(graph.edges.size() + graph.priors.size());
+  least_promise_ = NegligibleObjective(graph);
   bool settled = false;
   while (!settled && outcome.iterations.size() < static_cast<std::size_t>(options.max_iterations)) {
     stepped_ = false;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "slam/graph/optimize/linearize.h"
+#include "slam/graph/linearize.h"
 #include "slam/graph/optimize/variables.h"
 #include "slam/graph/optimize/weighting.h"
 #include "slam/sparse/block_matrix.h"

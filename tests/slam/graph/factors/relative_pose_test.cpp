@@ -9,8 +9,9 @@
 
 #include "slam/base/random.h"
 #include "slam/geometry/angles.h"
-#include "slam/graph/factors/linearize_error.h"
+#include "slam/graph/factors/square_root.h"
 #include "slam/graph/factors/switchable.h"
+#include "slam/graph/linearize.h"
 #include "tests/slam/geometry/pose_samples.h"
 #include "tests/slam/graph/factors/derivatives.h"
 #include "tests/support/error_of.h"
@@ -115,14 +116,15 @@ TYPED_TEST(RelativePose, HasTheDerivativesOfAutomaticDifferentiation) {
   constexpr int kDof = TypeParam::kDof;
   for (const RotationError kind : this->kinds_) {
     for (const auto& sample : this->samples_) {
-      const auto linearized =
-          LinearizeError(sample.edge.T_from_to, sample.T_map_from, sample.T_map_to, kind);
+      const LinearError<TypeParam> linear = Linearize(RotatedPose<TypeParam>(sample.edge.T_from_to),
+                                                      RotatedPose<TypeParam>(sample.T_map_from),
+                                                      RotatedPose<TypeParam>(sample.T_map_to), kind);
       const auto expected = ErrorOfJets(sample, kind);
       for (int row = 0; row < kDof; ++row) {
         const auto v = expected[row].v.template head<2 * kDof>().template cast<double>().eval();
-        EXPECT_NEAR(linearized.error[row], static_cast<double>(expected[row].a), 1e-13);
-        EXPECT_LE((linearized.by_from.row(row).transpose() - v.template head<kDof>()).norm(), 2e-13);
-        EXPECT_LE((linearized.by_to.row(row).transpose() - v.template tail<kDof>()).norm(), 2e-13);
+        EXPECT_NEAR(linear.e[row], static_cast<double>(expected[row].a), 1e-13);
+        EXPECT_LE((linear.J_from.row(row).transpose() - v.template head<kDof>()).norm(), 2e-13);
+        EXPECT_LE((linear.J_to.row(row).transpose() - v.template tail<kDof>()).norm(), 2e-13);
       }
     }
   }

@@ -1,7 +1,7 @@
 #include <cmath>
 
 #include "slam/geometry/angles.h"
-#include "slam/graph/optimize/linearize.h"
+#include "slam/graph/linearize.h"
 
 namespace ariadne::slam {
 namespace {

@@ -1,4 +1,4 @@
-#include "slam/graph/optimize/linearize.h"
+#include "slam/graph/linearize.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 #include "slam/geometry/so3.h"
-#include "slam/graph/optimize/linearize.h"
+#include "slam/graph/linearize.h"
 
 namespace ariadne::slam {
 
