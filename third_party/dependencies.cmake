@@ -19,7 +19,9 @@ find_package(tsl-robin-map REQUIRED)
 find_package(embree 3.13 REQUIRED)
 find_package(assimp REQUIRED)
 find_package(GTest REQUIRED)
+find_package(octomap REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
+find_library(POLYCLIPPING_LIBRARY polyclipping REQUIRED)
 find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp REQUIRED)  # only to keep CHOLMOD from starting threads
 
 # The system's BLAS (OpenBLAS, by packages.txt), loaded before all else: Debian's Ceres names ATLAS, which would

@@ -1,21 +1,16 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <array>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "slam/geometry/pose2.h"
 #include "slam/geometry/pose3.h"
+#include "slam/geometry/triangle_mesh.h"
 
 namespace ariadne::drivers {
 
-/// Triangles over shared vertices, counterclockwise seen from outside where they have an outside.
-struct TriangleMesh {
-  std::vector<Eigen::Vector3d> vertices;  // [m]
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-};
+using slam::TriangleMesh;
 
 /// What a surface does with the scanner's light.
 struct Material {

@@ -4,16 +4,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "slam/geometry/rgb.h"
+
 namespace ariadne::experiments {
 
-/// A colour as it stands in a picture: sRGB, 8 bits per channel.
-struct Rgb {
-  std::uint8_t r = 0;
-  std::uint8_t g = 0;
-  std::uint8_t b = 0;
-
-  friend bool operator==(const Rgb&, const Rgb&) = default;
-};
+using slam::Rgb;
 
 inline constexpr Rgb kWhite{255, 255, 255};
 inline constexpr Rgb kBlack{0, 0, 0};
