@@ -4,32 +4,12 @@
 #include <cmath>
 #include <optional>
 
+#include "experiments/render/pixel_rays.h"
+
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kFarBehind = 200.0;  // where the rays of an orthographic camera start [m]
-constexpr double kAmbient = 0.45;     // share of the light that does not come from the camera
-
-/// The ray through a point of the picture.
-class PixelRays {
- public:
-  explicit PixelRays(const Camera& camera)
-      : camera_(camera), T_map_camera_(camera.T_camera_map.Inverse()) {}
-
-  drivers::Ray Through(double u, double v) const {
-    const Eigen::Vector2d p = (Eigen::Vector2d(u, v) - camera_.center) / camera_.scale;
-    if (camera_.projection == Camera::Projection::kOrthographic) {
-      return {T_map_camera_ * Eigen::Vector3d(p.x(), p.y(), -kFarBehind),
-              T_map_camera_.rotation * Eigen::Vector3d::UnitZ()};
-    }
-    return {T_map_camera_.translation,
-            (T_map_camera_.rotation * Eigen::Vector3d(p.x(), p.y(), 1.0)).normalized()};
-  }
-
- private:
-  const Camera& camera_;
-  slam::Pose3 T_map_camera_;
-};
+constexpr double kAmbient = 0.45;  // share of the light that does not come from the camera
 
 /// The part of the ray below the cut; nothing where it never comes there.
 std::optional<drivers::Ray> Below(drivers::Ray ray, double cut_height) {

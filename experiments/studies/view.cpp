@@ -1,6 +1,5 @@
 #include "experiments/studies/view.h"
 
-#include <fstream>
 #include <optional>
 
 #include "drivers/simulated/ray_scene.h"
@@ -14,48 +13,14 @@
 #include "experiments/render/world_view.h"
 #include "experiments/report/map_cameras.h"
 #include "experiments/run/data_path.h"
-#include "experiments/studies/register_options.h"
+#include "experiments/studies/run_map.h"
 #include "slam/base/error.h"
-#include "slam/io/file.h"
-#include "slam/io/trajectory.h"
 
 namespace ariadne::experiments {
 namespace {
 
 constexpr double kScannerView = 1.75;  // field of view of from=scanner, 100 deg [rad]
 constexpr double kLargestError = 0.1;  // that colours tell apart [m]
-
-using Scans = std::vector<slam::PosedCloud>;
-
-/// The scans of a run at the poses that it has come to, and where a simulated one was really taken.
-struct RunMap {
-  Scans scans;
-  InputOptions input;
-  std::optional<slam::Pose3> T_world_master;
-};
-
-RunMap ReadRunMap(const std::filesystem::path& run) {
-  OptionEntries entries = OptionEntries::FromFile((run / "config.yaml").string());
-  const std::optional<OptionEntry> experiment = entries.Take("experiment");
-  if (!experiment || experiment->value != "register") {
-    Fail("{}: only runs of the experiment register have a map to look at", (run / "config.yaml").string());
-  }
-  const auto options = ReadOptions<RegisterOptions>(entries);
-  const ScanSource source(options.input);
-  const std::filesystem::path pose_file = run / "poses.txt";
-  std::ifstream in = slam::OpenForReading(pose_file);
-  const std::vector<slam::NamedPose> poses = slam::ReadPoseList(in, pose_file.string());
-  if (poses.size() != source.size())
-    Fail("{}: {} poses, but {} scans", pose_file.string(), poses.size(), source.size());
-  RunMap map{{}, options.input, source.truth(0)};
-  for (std::size_t i = 0; i < source.size(); ++i) {
-    const auto [min_range, max_range] = options.mapper.scan;
-    map.scans.push_back({source.name(i),
-                         slam::WithinRange(source.Read(i).cloud_laser, min_range, max_range),
-                         poses[i].pose});
-  }
-  return map;
-}
 
 /// The points in their colours, with what the colours mean.
 struct Coloring {
@@ -119,7 +84,7 @@ Camera CameraOf(const RunMap& map, const ViewOptions& options) {
                 {options.width, options.width * 5 / 8});
 }
 
-void DrawRobotPath(Image& picture, const Camera& camera, const Scans& scans) {
+void DrawRobotPath(Image& picture, const Camera& camera, const std::vector<slam::PosedCloud>& scans) {
   std::vector<slam::Pose3> poses;
   std::vector<Eigen::Vector3d> path;
   for (const slam::PosedCloud& scan : scans) {
