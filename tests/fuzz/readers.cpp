@@ -7,6 +7,7 @@
 #include <string>
 
 #include "slam/base/error.h"
+#include "slam/io/carmen.h"
 #include "slam/io/g2o.h"
 #include "slam/io/kitti.h"
 #include "slam/io/pcd.h"
@@ -121,7 +122,9 @@ bool AcceptsG2o(std::string_view bytes) {
   return Accepts(bytes, slam::ReadG2o, write);
 }
 
-constexpr std::array<Reader, 12> kReaders{{{"uos_cloud", AcceptsUosCloud},
+bool AcceptsCarmen(std::string_view bytes) { return Accepts(bytes, slam::ReadCarmen, slam::WriteCarmen); }
+
+constexpr std::array<Reader, 13> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -132,7 +135,8 @@ constexpr std::array<Reader, 12> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"kitti_poses", AcceptsPoseMatrices},
                                            {"pose_list", AcceptsPoseList},
                                            {"any_poses", AcceptsAnyPoses},
-                                           {"g2o", AcceptsG2o}}};
+                                           {"g2o", AcceptsG2o},
+                                           {"carmen", AcceptsCarmen}}};
 
 }  // namespace
 
