@@ -1,6 +1,7 @@
 #include "slam/mapper.h"
 
 #include "slam/base/error.h"
+#include "slam/extract/slice_lines.h"
 
 namespace ariadne::slam {
 
@@ -34,11 +35,21 @@ MapScan Mapper::Prepare(const PosedCloud& scan_odom) const {
     Fail("{}: none of its {} points is between scan.min_range={} and scan.max_range={} m", scan_odom.name,
          scan_odom.cloud_laser.size(), min_range, max_range);
   }
-  PointCloud reduced = Reduce(in_range, options_.reduce);
+  PointCloud reduced = ToMatch(scan_odom.name, in_range);
   KdTree tree(reduced.positions);
   MapScan scan{scan_odom.name, std::move(reduced), std::move(tree), Guess(scan_odom.T_map_laser)};
   RequireSurfaces(scan, options_.icp.normal_neighbors, Parallel(options_.icp.threads));
   return scan;
+}
+
+PointCloud Mapper::ToMatch(const std::string& name, const PointCloud& in_range) const {
+  if (options_.registration.points == MatchPoints::kReduced) return Reduce(in_range, options_.reduce);
+  if (!in_range.organized()) {
+    Fail("{}: registration.points=edges needs slices, which this file does not tell; use reduced", name);
+  }
+  PointCloud edges = EdgePointCloud(in_range, options_.lines);
+  if (edges.empty()) Fail("{}: no lines were found in its {} slices", name, in_range.slice_begin.size());
+  return edges;
 }
 
 Pose3 Mapper::Guess(const Pose3& T_odom_laser) const {

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "slam/extract/detect_lines.h"
 #include "slam/matching/match.h"
 #include "slam/matching/match_options.h"
 #include "slam/reduce/reduce.h"
@@ -28,6 +29,7 @@ struct ScanFilterOptions {
 struct MapperOptions {
   ScanFilterOptions scan;
   ReduceOptions reduce{.method = ReduceMethod::kVoxelMean};
+  LineOptions lines;
   AlignOptions icp{.metric = Metric::kPlaneToPlane,
                    .max_distance = 0.2,
                    .start_distance = 1.0,
@@ -38,6 +40,7 @@ struct MapperOptions {
   static void Visit(Self& self, Visitor& visit) {
     visit("scan", self.scan, "which points of a scan are measurements");
     visit("reduce", self.reduce, "how points are made fewer before matching");
+    visit("lines", self.lines, "how lines are found, with registration.points=edges");
     visit("icp", self.icp, "how one cloud is aligned to another");
     visit("registration", self.registration, "which clouds are aligned to which");
   }
@@ -67,6 +70,7 @@ class Mapper {
 
  private:
   MapScan Prepare(const PosedCloud& scan_odom) const;
+  PointCloud ToMatch(const std::string& name, const PointCloud& in_range) const;
   Pose3 Guess(const Pose3& T_odom_laser) const;
 
   MapperOptions options_;

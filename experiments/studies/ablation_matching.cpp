@@ -10,6 +10,7 @@
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
 #include "experiments/studies/matching_table.h"
+#include "experiments/studies/matching_ways.h"
 #include "slam/base/error.h"
 #include "slam/base/numbers.h"
 
@@ -17,20 +18,20 @@ namespace ariadne::experiments {
 namespace {
 
 constexpr const char* kCheckpoint = "checkpoint.json";
-constexpr slam::MatchMethod kReference = slam::MatchMethod::kSimultaneous;
-using Methods = std::vector<slam::MatchMethod>;
+constexpr const char* kReference = "simultaneous";
+using Methods = std::vector<std::string>;
 
 Methods ParseMethods(const std::string& names) {
-  constexpr auto& kNames = EnumNames<slam::MatchMethod>::value;
+  const std::vector<std::string> ways = MatchingWays();
   Methods methods;
   std::istringstream stream(names);
   for (std::string name; std::getline(stream >> std::ws, name, ',');) {
-    const auto found = std::ranges::find(kNames, name);
-    if (found == kNames.end()) Fail("methods: {} is none of {}", name, fmt::join(kNames, ", "));
-    methods.push_back(static_cast<slam::MatchMethod>(found - kNames.begin()));
+    if (std::ranges::find(ways, name) == ways.end())
+      Fail("methods: {} is none of {}", name, fmt::join(ways, ", "));
+    methods.push_back(name);
   }
   if (std::ranges::find(methods, kReference) == methods.end())
-    Fail("methods: {} is missing, against which the others are compared", NameOf(kReference));
+    Fail("methods: {} is missing, against which the others are compared", kReference);
   return methods;
 }
 
@@ -60,11 +61,9 @@ std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, const
   for (const slam::PosedCloud& scan : scans.scans) T_odom_laser.push_back(scan.T_map_laser);
   std::vector<LabelledTrial> trials{
       {noise, seed, "odometry", JudgePoses(scans, building, T_odom_laser, parallel)}};
-  for (const slam::MatchMethod method : methods) {
-    slam::MapperOptions mapper = options.mapper;
-    mapper.registration.method = method;
+  for (const std::string& method : methods) {
     trials.push_back(
-        {noise, seed, std::string(NameOf(method)), TryMatching(scans, building, mapper, parallel)});
+        {noise, seed, method, TryMatching(scans, building, MatchedBy(method, options.mapper), parallel)});
   }
   trials.push_back({noise, seed, "truth", JudgePoses(scans, building, scans.T_map_laser_true, parallel)});
   return trials;
@@ -73,12 +72,12 @@ std::vector<LabelledTrial> RunTour(const AblationMatchingOptions& options, const
 /// Median seconds of each method over all tours.
 Json TimingOf(const std::vector<LabelledTrial>& trials, const Methods& methods) {
   Json timing;
-  for (const slam::MatchMethod method : methods) {
+  for (const std::string& method : methods) {
     std::vector<double> seconds;
     for (const LabelledTrial& t : trials) {
-      if (t.method == NameOf(method)) seconds.push_back(t.trial.seconds);
+      if (t.method == method) seconds.push_back(t.trial.seconds);
     }
-    timing[std::string(NameOf(method))] = {{"median_s", Median(seconds)}};
+    timing[method] = {{"median_s", Median(seconds)}};
   }
   return timing;
 }
@@ -86,7 +85,7 @@ Json TimingOf(const std::vector<LabelledTrial>& trials, const Methods& methods) 
 std::string Report(const AblationMatchingOptions& options, const Methods& methods,
                    const std::vector<LabelledTrial>& trials, const RunDirectory& run) {
   const Table medians = MedianTable(trials, options.bootstrap);
-  const Table paired = PairedTable(trials, std::string(NameOf(kReference)), options.bootstrap);
+  const Table paired = PairedTable(trials, kReference, options.bootstrap);
   run.WriteCsv("trials.csv", TrialTable(trials));
   run.WriteCsv("medians.csv", medians);
   run.WriteCsv("paired.csv", paired);

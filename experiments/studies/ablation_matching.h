@@ -13,7 +13,7 @@ namespace ariadne::experiments {
 struct AblationMatchingOptions {
   InputOptions input = InputOptions::OfTour();
   slam::MapperOptions mapper;
-  std::string methods = "pairwise, metascan, simultaneous, graph, joint";
+  std::string methods = "pairwise, metascan, edges, simultaneous, graph, joint";
   std::string noise_levels = "0.5, 1, 2, 4";
   int seeds = 30;
   BootstrapOptions bootstrap;
@@ -23,7 +23,8 @@ struct AblationMatchingOptions {
   static void Visit(Self& self, Visitor& visit) {
     visit("input", self.input, "the tour; its odometry_noise is set by the levels, its seed is the first");
     slam::MapperOptions::Visit(self.mapper, visit);
-    visit("methods", self.methods, "the ways of registration.method: a, b, ...; simultaneous among them");
+    visit("methods", self.methods,
+          "a, b, ...: those of registration.method, and edges; simultaneous among them");
     visit("noise_levels", self.noise_levels, "factors on the errors of the wheels: a, b, ...");
     visit("seeds", self.seeds, Unit(""), Range{2, 10000},
           "tours at each level; 30 give medians their intervals");

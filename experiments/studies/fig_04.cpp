@@ -8,6 +8,7 @@
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
 #include "experiments/studies/matching_table.h"
+#include "experiments/studies/matching_ways.h"
 #include "slam/base/error.h"
 
 namespace ariadne::experiments {
@@ -21,6 +22,7 @@ struct Panel {
 const std::vector<Panel> kPanels{{"Odometry", "odometry"},
                                  {"(a) Pairwise matching", "pairwise"},
                                  {"(b) Incremental matching", "metascan"},
+                                 {"(c) Pairwise matching of edge points", "edges"},
                                  {"(d) Simultaneous matching", "simultaneous"},
                                  {"Graph of relative poses", "graph"},
                                  {"Joint matching", "joint"}};
@@ -32,12 +34,7 @@ MatchingTrial Try(const Panel& panel, const Fig04Options& options, const TourSca
     for (const slam::PosedCloud& scan : scans.scans) T_odom_laser.push_back(scan.T_map_laser);
     return JudgePoses(scans, building, std::move(T_odom_laser), parallel);
   }
-  slam::MapperOptions mapper = options.mapper;
-  for (std::size_t m = 0; m < EnumNames<slam::MatchMethod>::value.size(); ++m) {
-    const auto method = static_cast<slam::MatchMethod>(m);
-    if (NameOf(method) == panel.method) mapper.registration.method = method;
-  }
-  return TryMatching(scans, building, mapper, parallel);
+  return TryMatching(scans, building, MatchedBy(panel.method, options.mapper), parallel);
 }
 
 std::vector<slam::PosedCloud> Placed(const TourScans& scans, const std::vector<slam::Pose3>& T_map_laser) {

@@ -15,6 +15,12 @@ enum class MatchMethod {
   kJoint,         // pairwise first; then all scans at once, by all point pairs between them
 };
 
+/// Which points of a scan are matched.
+enum class MatchPoints {
+  kReduced,  // the points that `reduce` leaves (Sec. 2.2.1)
+  kEdges,    // the end points of the lines in its slices (Sec. 3.3, Fig. 4c)
+};
+
 /// How closures are found: scans that might overlap, did they but lie where they could (loop_closure.h).
 struct ClosureOptions {
   bool enabled = true;
@@ -98,6 +104,7 @@ struct JointOptions {
 
 struct MatchOptions {
   MatchMethod method = MatchMethod::kSimultaneous;
+  MatchPoints points = MatchPoints::kReduced;
   int overlap_pairs = 250;
   double moved_translation = 0.05;
   double moved_rotation = 0.005;
@@ -108,6 +115,8 @@ struct MatchOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("method", self.method, "the paper compares the first three (3.2, Fig. 4)");
+    visit("points", self.points,
+          "reduced, or the end points of lines (3.3): fast, but too few in offices; lines.* find them");
     visit("overlap_pairs", self.overlap_pairs, Unit("pairs"), Range{0, 1e9},
           "two scans overlap if they have more closest-point pairs than this within the gate (3.2: 250)");
     visit("moved_translation", self.moved_translation, Unit("m"), Range{0.0, 100.0},
@@ -130,6 +139,11 @@ template <>
 struct EnumNames<slam::MatchMethod> {
   static constexpr std::array<std::string_view, 5> value{"pairwise", "metascan", "simultaneous", "graph",
                                                          "joint"};
+};
+
+template <>
+struct EnumNames<slam::MatchPoints> {
+  static constexpr std::array<std::string_view, 2> value{"reduced", "edges"};
 };
 
 }  // namespace ariadne

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "drivers/simulated/ais_scanner.h"
+#include "drivers/simulated/load_world.h"
 #include "slam/geometry/angles.h"
 #include "tests/slam/geometry/pose_samples.h"
 #include "tests/support/error_of.h"
@@ -144,6 +146,33 @@ TEST(Mapper, KeepsOnlyReducedPointsWithinRange) {
     EXPECT_GT(p.norm(), 0.8) << "means of a voxel lie between its points";
     EXPECT_LT(p.norm(), 3.0);
   }
+}
+
+TEST(Mapper, MatchesTheEdgePointsOfSlices) {
+  MapperOptions options;
+  options.registration.points = MatchPoints::kEdges;
+  options.icp.metric = Metric::kPointToPoint;
+  Mapper mapper(options);
+  const drivers::RayScene scene(drivers::LoadWorld("builtin:robobench", {}));
+  Pose3 T_map_base = ToPose3(scene.world().T_map_start);
+  for (const std::uint64_t stop : {0, 1}) {
+    const Scan scan = drivers::TakeAisScan(scene, T_map_base, 0.0, {}, 1, stop, Parallel(1));
+    const PointCloud cloud_laser = ToPointCloud(scan);
+    EXPECT_TRUE(mapper.AddScan({"scan", cloud_laser, Pose3()}).registered) << "as if it had not moved";
+    EXPECT_LT(mapper.scans().back().points_laser.size(), cloud_laser.size() / 5);
+    if (stop == 0) T_map_base.translation.x() += 0.1;
+  }
+  const Eigen::Vector3d moved = mapper.scans()[1].T_map_laser.translation;
+  EXPECT_LT((moved - Eigen::Vector3d(0.1, 0.0, 0.0)).norm(), 0.04) << moved.transpose();
+}
+
+TEST(Mapper, RefusesEdgePointsOfAScanWithoutSlices) {
+  MapperOptions options;
+  options.registration.points = MatchPoints::kEdges;
+  PosedCloud scan = ScanByOdometry(0);
+  scan.cloud_laser.slice_begin.clear();
+  EXPECT_THAT(ErrorOf([&] { Mapper(options).AddScan(scan); }),
+              StartsWith("scan0: registration.points=edges needs slices"));
 }
 
 TEST(Mapper, RefusesAScanWithoutAPointInRange) {
