@@ -81,7 +81,6 @@ void Cells(benchmark::State& state) {
 /// own noise. Only the building is timed.
 void Stream(benchmark::State& state) {
   constexpr std::size_t kPoints = 100'000'000;
-  const double before = AllocatedBytes();
   RandomStream stream = NamedStream(1, "octree_bench");
   std::vector<double> noise(1 << 16);
   for (double& n : noise) n = DrawNormal(stream, 0.0, 0.01);
@@ -104,7 +103,8 @@ void Stream(benchmark::State& state) {
     state.SetIterationTime(seconds);
     state.SetItemsProcessed(static_cast<std::int64_t>(tree.points()));
     state.counters["leaves"] = static_cast<double>(tree.leaves());
-    state.counters["tree_MB"] = (AllocatedBytes() - before) / 1e6;
+    state.counters["bytes_per_point"] =
+        static_cast<double>(tree.bytes()) / static_cast<double>(tree.points());
   }
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

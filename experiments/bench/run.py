@@ -12,7 +12,7 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated", "bench_graph"]
+PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated", "bench_graph", "bench_octree"]
 REPETITIONS = 5
 
 # (what, numerator, denominator, goal)
@@ -44,6 +44,11 @@ RATIOS = [
     ("Open3D voxel grid / voxel_mean", "reduce/voxel_mean_open3d/all", "reduce/voxel_mean/all", None),
 ]
 
+OCTREES = [("octomap", "octomap, end points only, lazily"), ("pcl_search", "PCL's octree of indices"),
+           ("pcl_centroids", "PCL's octree of centroids")]
+RATIOS += [(f"{what} / Octree, time to build", f"octree/build/{peer}", "octree/build/ariadne", 1.0)
+           for peer, what in OCTREES]
+
 GRAPHS = ["sphere2500", "torus3D", "cubicle", "parking-garage", "smallGrid3D", "kitti_00", "intel", "MIT", "manhattan"]
 RATIOS += [(f"{what} / own, {graph}", f"graph/{graph}/{peer}", f"graph/{graph}/ariadne", 1.0)
            for what, peer in [("Ceres tuned", "ceres_suite_sparse"), ("Ceres tuned, EIGEN_SPARSE", "ceres_eigen"),
@@ -59,6 +64,10 @@ LIMITS += [(f"certificate / optimization, {graph}", f"graph/{graph}/certificate"
            for graph in GRAPHS]
 LIMITS += [(f"{kind} factor of 100000 pairs / of 10", f"factor/{kind}/pairs:100000", f"factor/{kind}/pairs:10", 1.2)
            for kind in ["point", "plane"]]
+
+# (what, numerator, denominator, goal); of bytes per point
+MEMORY = [(f"{what} / Octree, bytes per point", f"octree/build/{peer}", "octree/build/ariadne", 1.0)
+          for peer, what in OCTREES]
 
 # (what, benchmark, goal); how many in a second
 RATES = [
@@ -88,8 +97,10 @@ def print_medians(medians):
     for name, b in medians.items():
         rate = f"  {b['bytes_per_second'] / 1e6:8.0f} MB/s" if "bytes_per_second" in b else ""
         iterations = f"  {b['icp_iterations']:.0f} iterations" if "icp_iterations" in b else ""
+        memory = f"  {b['bytes_per_point']:.1f} B/point" if "bytes_per_point" in b else ""
+        peak = f"  {b['peak_MB']:.0f} MB at most" if "peak_MB" in b else ""
         steps = f"  {b['factorizations']:.0f} factorizations" if "factorizations" in b else ""
-        print(f"{b['real_time']:9.3f} {b['time_unit']}  {name}{rate}{iterations}{steps}")
+        print(f"{b['real_time']:9.3f} {b['time_unit']}  {name}{rate}{iterations}{memory}{peak}{steps}")
 
 
 def nanoseconds(benchmark):
@@ -108,6 +119,18 @@ def print_ratios(medians):
             reached = goal is None or (ratio >= goal if sign == ">=" else ratio <= goal)
             missed += not reached
             print(f"{ratio:8.2f}  {'' if goal is None else f'{sign} {goal}':>6}  {what}{'' if reached else '  MISSED'}")
+    return missed
+
+
+def print_memory(medians):
+    """Returns how many goals are missed."""
+    missed = 0
+    for what, numerator, denominator, goal in MEMORY:
+        if numerator not in medians or denominator not in medians:
+            continue
+        ratio = medians[numerator]["bytes_per_point"] / medians[denominator]["bytes_per_point"]
+        missed += ratio < goal
+        print(f"{ratio:8.2f}  {f'>= {goal}':>6}  {what}{'' if ratio >= goal else '  MISSED'}")
     return missed
 
 
@@ -144,6 +167,7 @@ def main():
     print(f"data: {data}; world: {world}; graphs: {graphs}; medians of {REPETITIONS} repetitions; load after: {os.getloadavg()[0]:.2f}")
     print_medians(medians)
     print_ratios(medians)
+    print_memory(medians)
     print_rates(medians)
 
 
