@@ -22,12 +22,12 @@ struct OctreeOptions {
 
 /// A cube of the tree with what is known of the points in it.
 struct OctreeCell {
-  Eigen::Vector3d center;  // [m]
-  double edge = 0.0;       // [m]
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  // [m]
+  double edge = 0.0;                                 // [m]
   std::uint64_t count = 0;
-  Eigen::Vector3d mean;    // of the points [m]
-  Eigen::Vector3d normal;  // of the surface, unit length, towards the nearest viewpoint; or zero, where the
-                           // points do not span a plane
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();  // of the points [m]
+  /// Of the surface, unit length, towards the nearest viewpoint; zero where the points do not span a plane.
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   float reflectance = 0.0F;  // mean; NaN where a point's was NaN; 0 without reflectance
 };
 
