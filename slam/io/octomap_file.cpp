@@ -1,5 +1,6 @@
 #include "slam/io/octomap_file.h"
 
+#define OCTOMAP_NODEBUGOUT  // its headers would print in a debug build
 #include <octomap/OcTree.h>
 #include <octomap/Pointcloud.h>
 
@@ -52,6 +53,18 @@ void Insert(octomap::OcTree& tree, const PosedCloud& scan, const OctoMapOptions&
                         max_range, kLater, kOneBeamPerCell);
 }
 
+/// The file that OctoMap's own writers make; those print to the terminal.
+void PutTree(std::ostream& out, const octomap::OcTree& tree, bool binary) {
+  out << "# Octomap OcTree " << (binary ? "binary " : "") << "file\n";  // readers look for this line
+  out << "# ariadne: metres, z up\n";
+  out << fmt::format("id OcTree\nsize {}\nres {}\ndata\n", tree.size(), tree.getResolution());
+  if (binary) {
+    tree.writeBinaryData(out);
+  } else {
+    tree.writeData(out);
+  }
+}
+
 }  // namespace
 
 void WriteOctoMap(const fs::path& path, std::span<const PosedCloud> scans, const OctoMapOptions& options) {
@@ -67,14 +80,10 @@ void WriteOctoMap(const fs::path& path, std::span<const PosedCloud> scans, const
   octomap::OcTree tree(options.resolution);
   for (const PosedCloud& scan : scans) Insert(tree, scan, options, path);
   tree.updateInnerOccupancy();
+  const bool binary = extension == ".bt";
+  if (binary) tree.toMaxLikelihood();
   tree.prune();
-  WriteFileAtomically(path, [&](std::ostream& out) {
-    if (extension == ".bt") {
-      tree.writeBinary(out);
-    } else {
-      tree.write(out);
-    }
-  });
+  WriteFileAtomically(path, [&](std::ostream& out) { PutTree(out, tree, binary); });
 }
 
 }  // namespace ariadne::slam
