@@ -31,6 +31,10 @@ struct Field {
     return surface.exists() && surface.rms <= kRough * SigmaAcross(surface.normal, p(point), options.noise);
   }
 
+  /// Whether a region may go on from a point: not at edges, but where the beams are so far apart that a
+  /// point has no normal, and the distance from the plane is all that there is.
+  bool LeadsOn(std::size_t point) const { return !normals[point].exists() || IsSmooth(point); }
+
   bool AreNear(std::size_t a, std::size_t b) const {
     const double step = static_cast<double>(kReach) * std::max(grid.row_step(), grid.column_step());
     const double range = std::min(p(a).norm(), p(b).norm());
@@ -90,7 +94,7 @@ std::vector<std::size_t> Grow(const Field& field, std::size_t seed, std::uint32_
   region_of[seed] = number;
   for (std::size_t next = 0; next < region.points().size(); ++next) {
     const std::size_t point = region.points()[next];
-    if (!field.IsSmooth(point)) continue;
+    if (!field.LeadsOn(point)) continue;
     field.grid.Visit(point, kReach, kReach, 1, [&](std::size_t neighbor) {
       if (region_of[neighbor] != kFree || !field.AreNear(point, neighbor) || !region.Takes(neighbor))
         return;
