@@ -19,8 +19,8 @@ std::optional<GridBeam> ClipBeam(const Eigen::Vector3d& viewpoint_map, const Eig
   }
   if (!(first <= last)) return std::nullopt;
   const bool hits = last == 1.0;
-  const auto at = [&](double share) -> Eigen::Vector2d { return (viewpoint_map + share * way).head<2>(); };
-  return GridBeam{at(first), hits ? Eigen::Vector2d(p_map.head<2>()) : at(last), hits};
+  const auto at = [&](double share) -> Eigen::Vector3d { return viewpoint_map + share * way; };
+  return GridBeam{at(first), hits ? p_map : at(last), hits};
 }
 
 }  // namespace ariadne::slam

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
-#include <cstdlib>
+#include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace ariadne::slam {
@@ -13,10 +13,10 @@ struct HeightBand {
   double high;
 };
 
-/// A beam as seen from above, as far as it is between two heights.
+/// A beam as far as it is between two heights.
 struct GridBeam {
-  Eigen::Vector2d from;  // [m]
-  Eigen::Vector2d to;    // [m]
+  Eigen::Vector3d from;  // [m]
+  Eigen::Vector3d to;    // [m]
   bool hits = false;     // whether its end is where it met something
 };
 
@@ -26,29 +26,29 @@ std::optional<GridBeam> ClipBeam(const Eigen::Vector3d& viewpoint_map, const Eig
 
 using Cell = Eigen::Array2i;
 
-/// Calls visit(cell) for each cell that a line goes through, in its order (after Amanatides and Woo, 1987).
-/// Coordinates count cells.
+/// Calls visit(cell, enter, leave) for each cell that a line goes through, in its order, with the shares of
+/// the way at which it does (after Amanatides and Woo, 1987). Coordinates count cells.
 template <typename Visit>
 void ForEachCell(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Visit& visit) {
   Cell cell = from.array().floor().cast<int>();
   const Cell last = to.array().floor().cast<int>();
   const Eigen::Array2d way = (to - from).array();
-  // The share of the way at which the next border is crossed, in x and in y. Which axis is done is counted
-  // in cells, so that rounding cannot lead past the last one.
-  Eigen::Array2d next, across;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double border = cell[axis] + (way[axis] > 0.0 ? 1.0 : 0.0);
-    across[axis] = 1.0 / std::abs(way[axis]);
-    next[axis] = (border - from[axis]) / way[axis];
-  }
-  visit(cell);
+  // The share at which the next border is crossed, in x and in y; none, where that axis is done. That is
+  // counted in cells, so that rounding cannot lead past the last one.
+  const auto border = [&](int axis) {
+    if (cell[axis] == last[axis]) return std::numeric_limits<double>::infinity();
+    return (cell[axis] + (last[axis] > cell[axis] ? 1.0 : 0.0) - from[axis]) / way[axis];
+  };
+  double enter = 0.0;
   while ((cell != last).any()) {
-    const bool x_is_done = cell.x() == last.x(), y_is_done = cell.y() == last.y();
-    const int axis = y_is_done || (!x_is_done && next.x() <= next.y()) ? 0 : 1;
+    const double in_x = border(0), in_y = border(1);
+    const int axis = in_x <= in_y ? 0 : 1;
+    const double leave = std::clamp(std::min(in_x, in_y), enter, 1.0);
+    visit(cell, enter, leave);
     cell[axis] += last[axis] > cell[axis] ? 1 : -1;
-    next[axis] += across[axis];
-    visit(cell);
+    enter = leave;
   }
+  visit(cell, enter, 1.0);
 }
 
 }  // namespace ariadne::slam

@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "slam/base/error.h"
 #include "slam/map/grid_beam.h"
+#include "slam/map/grid_votes.h"
 #include "slam/map/horizontal_slice.h"
 
 namespace ariadne::slam {
@@ -31,7 +31,10 @@ std::vector<GridBeam> BeamsOf(const PosedCloud& scan, const OccupancyGridOptions
 Box2 BoxAround(std::span<const PosedCloud> scans, const OccupancyGridOptions& options) {
   Box2 box;
   for (const PosedCloud& scan : scans) {
-    for (const GridBeam& beam : BeamsOf(scan, options)) box.extend(beam.from).extend(beam.to);
+    for (const GridBeam& beam : BeamsOf(scan, options)) {
+      box.extend(beam.from.head<2>());
+      box.extend(beam.to.head<2>());
+    }
   }
   return box;
 }
@@ -55,56 +58,56 @@ OccupancyGrid EmptyGrid(const Box2& box, double resolution) {
   return grid;
 }
 
-/// Which cells a scan votes for and against.
-class Ballot {
+/// From places to cells.
+class Cells {
  public:
-  explicit Ballot(const OccupancyGrid& grid)
+  explicit Cells(const OccupancyGrid& grid)
       : first_((grid.origin_map.array() / grid.resolution).round().matrix()),
         resolution_(grid.resolution),
-        columns_(grid.columns),
-        votes_(grid.log_odds.size(), Vote::kNone) {}
+        columns_(grid.columns) {}
 
-  void Collect(std::span<const GridBeam> beams) {
-    for (const GridBeam& beam : beams) {
-      if (beam.hits) Cast(CellOf(beam.to), Vote::kFor);
-    }
-    for (const GridBeam& beam : beams) {
-      ForEachCell(InCells(beam.from), InCells(beam.to),
-                  [&](const Cell& cell) { Cast(cell, Vote::kAgainst); });
-    }
+  /// In units of cells, from the grid's corner.
+  Eigen::Vector2d Place(const Eigen::Vector3d& p_map) const {
+    return p_map.head<2>() / resolution_ - first_;
   }
-
-  /// Adds the votes up and begins anew.
-  void CountInto(OccupancyGrid& grid, const OccupancyGridOptions& options) {
-    for (const std::size_t cell : voted_) {
-      const double sum = grid.log_odds[cell] + (votes_[cell] == Vote::kFor ? options.hit : -options.miss);
-      grid.log_odds[cell] =
-          static_cast<float>(std::clamp(sum, -options.max_log_odds, options.max_log_odds));
-      votes_[cell] = Vote::kNone;
-    }
-    voted_.clear();
+  std::size_t IndexOf(const Cell& cell) const {
+    return static_cast<std::size_t>(cell.y()) * columns_ + static_cast<std::size_t>(cell.x());
+  }
+  std::size_t IndexAt(const Eigen::Vector3d& p_map) const {
+    return IndexOf(Place(p_map).array().floor().cast<int>());
   }
 
  private:
-  enum class Vote : char { kNone, kFor, kAgainst };
-
-  Eigen::Vector2d InCells(const Eigen::Vector2d& p_map) const { return p_map / resolution_ - first_; }
-  Cell CellOf(const Eigen::Vector2d& p_map) const { return InCells(p_map).array().floor().cast<int>(); }
-
-  void Cast(const Cell& cell, Vote vote) {
-    const std::size_t index =
-        static_cast<std::size_t>(cell.y()) * columns_ + static_cast<std::size_t>(cell.x());
-    if (votes_[index] != Vote::kNone) return;
-    votes_[index] = vote;
-    voted_.push_back(index);
-  }
-
-  Eigen::Vector2d first_;  // of the grid's corner, in cells
+  Eigen::Vector2d first_;
   double resolution_;
   std::size_t columns_;
-  std::vector<Vote> votes_;
-  std::vector<std::size_t> voted_;
 };
+
+void Collect(std::span<const GridBeam> beams, const Cells& cells, const SeenHeights& seen, Ballot& ballot) {
+  for (const GridBeam& beam : beams) {
+    if (beam.hits) ballot.Cast(cells.IndexAt(beam.to), Vote::kFor);
+  }
+  for (const GridBeam& beam : beams) {
+    const double rise = beam.to.z() - beam.from.z();
+    const auto visit = [&](const Cell& cell, double enter, double leave) {
+      const std::size_t index = cells.IndexOf(cell);
+      const double z = beam.from.z();
+      if (seen.WouldMeet(index, z + enter * rise, z + leave * rise)) ballot.Cast(index, Vote::kAgainst);
+    };
+    ForEachCell(cells.Place(beam.from), cells.Place(beam.to), visit);
+  }
+}
+
+SeenHeights HeightsOf(std::span<const PosedCloud> scans, const Cells& cells, const OccupancyGrid& grid,
+                      const OccupancyGridOptions& options) {
+  SeenHeights seen(grid.log_odds.size(), 0.5 * grid.resolution);
+  for (const PosedCloud& scan : scans) {
+    for (const GridBeam& beam : BeamsOf(scan, options)) {
+      if (beam.hits) seen.Add(cells.IndexAt(beam.to), beam.to.z());
+    }
+  }
+  return seen;
+}
 
 }  // namespace
 
@@ -121,10 +124,13 @@ OccupancyGrid MakeOccupancyGrid(std::span<const PosedCloud> scans, const Occupan
   }
   for (const PosedCloud& scan : scans) RequireFinite(scan);
   OccupancyGrid grid = EmptyGrid(BoxAround(scans, options), options.resolution);
-  Ballot ballot(grid);
+  const Cells cells(grid);
+  const SeenHeights seen = HeightsOf(scans, cells, grid, options);
+  const VoteOdds odds{options.hit, options.miss, options.max_log_odds};
+  Ballot ballot(grid.log_odds.size());
   for (const PosedCloud& scan : scans) {
-    ballot.Collect(BeamsOf(scan, options));
-    ballot.CountInto(grid, options);
+    Collect(BeamsOf(scan, options), cells, seen, ballot);
+    ballot.CountInto(grid.log_odds, odds);
   }
   return grid;
 }

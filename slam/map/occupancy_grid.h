@@ -57,8 +57,10 @@ struct OccupancyGrid {
 /// Each scan has one vote per cell: for it where the scan has points between the heights, else against it
 /// where the part of a beam that is between them goes through. So a wall that is seen at a grazing angle is
 /// not wiped out by the many beams that pass close to it, and the floor that is seen frees the space over
-/// it. Votes are added up as log odds. Error where there is nothing between the heights, where a place is
-/// not finite, or the grid would need more than 100 million cells.
+/// it. A beam speaks against a cell with points (of any scan) only at their heights, to half a cell: one
+/// over a table does not say that the table is not there. Votes are added up as log odds. Error where no
+/// beam is between the heights, where a place is not finite, or the grid would need more than 100 million
+/// cells.
 OccupancyGrid MakeOccupancyGrid(std::span<const PosedCloud> scans,
                                 const OccupancyGridOptions& options = {});
 

@@ -1,0 +1,136 @@
+#include "slam/map/occupancy_grid.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+
+#include "slam/base/random.h"
+#include "slam/map/grid_beam.h"
+#include "tests/support/error_of.h"
+#include "tests/support/random_geometry.h"
+
+namespace ariadne::slam {
+namespace {
+
+using testing::HasSubstr;
+
+/// Points on a wall at x = distance before the laser, 1 m above the floor, from 2 m right to 2 m left of
+/// it.
+PosedCloud ScanOfWall(double distance, double low = 0.5, double high = 1.5) {
+  PosedCloud scan;
+  scan.name = "wall";
+  for (double y = -1.99; y < 2.0; y += 0.02) {
+    for (double z = low; z <= high; z += 0.05)
+      scan.cloud_laser.positions.emplace_back(distance, y, z - 1.0);
+  }
+  scan.T_map_laser.translation.z() = 1.0;
+  return scan;
+}
+
+Occupancy At(const OccupancyGrid& grid, double x, double y) {
+  const Eigen::Array2d cell = ((Eigen::Array2d(x, y) - grid.origin_map.array()) / grid.resolution).floor();
+  return grid.At(static_cast<std::size_t>(cell.x()), static_cast<std::size_t>(cell.y()));
+}
+
+TEST(OccupancyGrid, IsFreeUpToTheWallAndUnknownBehind) {
+  const PosedCloud scan = ScanOfWall(3.02);
+  const OccupancyGrid grid = MakeOccupancyGrid({&scan, 1}, {.resolution = 0.1});
+  ASSERT_EQ(grid.log_odds.size(), grid.columns * grid.rows);
+  EXPECT_EQ(At(grid, 0.0, 0.0), Occupancy::kFree);
+  EXPECT_EQ(At(grid, 1.5, 0.5), Occupancy::kFree);
+  EXPECT_EQ(At(grid, 2.95, 0.0), Occupancy::kFree);
+  for (double y = -1.95; y < 2.0; y += 0.1) EXPECT_EQ(At(grid, 3.05, y), Occupancy::kOccupied) << y;
+  EXPECT_EQ(At(grid, 3.15, 0.0), Occupancy::kUnknown);
+  EXPECT_EQ(At(grid, 0.5, 1.5), Occupancy::kUnknown);  // beside the beams
+}
+
+TEST(OccupancyGrid, SeesFreeSpaceOverTheFloorButNoObstacleInIt) {
+  PosedCloud scan;
+  for (double x = 1.0; x < 3.0; x += 0.02) scan.cloud_laser.positions.emplace_back(x, 0.001, -1.0);
+  scan.T_map_laser.translation.z() = 1.0;
+  const OccupancyGrid grid =
+      MakeOccupancyGrid({&scan, 1}, {.resolution = 0.1, .min_height = 0.1, .max_height = 0.5});
+  EXPECT_EQ(At(grid, 0.85, 0.05), Occupancy::kFree);
+  EXPECT_EQ(At(grid, 2.65, 0.05), Occupancy::kFree);  // 0.1 m over the floor at x = 2.7
+  for (const float odds : grid.log_odds) EXPECT_LE(odds, 0.0F);
+  const Eigen::Vector2d low = grid.origin_map;
+  EXPECT_NEAR(low.x(), 0.4, 1e-9);  // the first beam is 0.5 m high at x = 0.5; a cell of frame
+}
+
+TEST(OccupancyGrid, ForgetsWhatIsGoneAndKeepsWhatBeamsPassOver) {
+  const PosedCloud wall = ScanOfWall(3.02), far = ScanOfWall(5.02);
+  const std::vector<PosedCloud> gone{wall, far, far, far};
+  EXPECT_EQ(At(MakeOccupancyGrid(gone, {.resolution = 0.1}), 3.05, 0.05), Occupancy::kFree);
+  const std::vector<PosedCloud> stays{far, wall, wall, far, far, far};
+  EXPECT_EQ(At(MakeOccupancyGrid(stays, {.resolution = 0.1}), 3.05, 0.05), Occupancy::kOccupied);
+  const PosedCloud table = ScanOfWall(3.02, 0.7, 0.72), over = ScanOfWall(5.02, 1.0, 1.5);
+  const std::vector<PosedCloud> seen_over{table, over, over, over, over, over, over};
+  EXPECT_EQ(At(MakeOccupancyGrid(seen_over, {.resolution = 0.1}), 3.05, 0.05), Occupancy::kOccupied);
+}
+
+TEST(OccupancyGrid, CutsLongBeamsAndBoundsTheOdds) {
+  const PosedCloud scan = ScanOfWall(3.02);
+  const OccupancyGrid cut = MakeOccupancyGrid({&scan, 1}, {.resolution = 0.1, .max_range = 2.0});
+  EXPECT_EQ(At(cut, 1.85, 0.05), Occupancy::kFree);
+  for (const float odds : cut.log_odds) EXPECT_LE(odds, 0.0F);
+  const std::vector<PosedCloud> often(20, scan);
+  for (const float odds : MakeOccupancyGrid(often, {}).log_odds) EXPECT_LE(std::abs(odds), 3.5F);
+}
+
+TEST(OccupancyGrid, MovesWithTheMap) {
+  std::vector<PosedCloud> scans{ScanOfWall(3.02), ScanOfWall(5.02, 0.2, 0.8)};
+  const OccupancyGrid grid = MakeOccupancyGrid(scans, {.resolution = 0.125});
+  for (PosedCloud& scan : scans) scan.T_map_laser.translation += Eigen::Vector3d(-12.5, 100.0, 0.0);
+  const OccupancyGrid moved = MakeOccupancyGrid(scans, {.resolution = 0.125});
+  EXPECT_EQ(moved.log_odds, grid.log_odds);
+  EXPECT_EQ(moved.origin_map, grid.origin_map + Eigen::Vector2d(-12.5, 100.0));
+}
+
+TEST(OccupancyGrid, RefusesWhatIsNoMap) {
+  const auto error = [](const PosedCloud& scan, const OccupancyGridOptions& options) {
+    return ErrorOf([&] { MakeOccupancyGrid({&scan, 1}, options); });
+  };
+  PosedCloud scan = ScanOfWall(3.0);
+  EXPECT_THAT(ErrorOf([] { MakeOccupancyGrid({}); }),
+              HasSubstr("no beam of the scans is between the heights"));
+  EXPECT_THAT(error(scan, {.min_height = 5.0, .max_height = 6.0}), HasSubstr("no beam of the scans"));
+  EXPECT_THAT(error(scan, {.min_height = 2.0, .max_height = 1.0}), HasSubstr("above grid.max_height"));
+  EXPECT_THAT(error(scan, {.resolution = 0.0}), HasSubstr("grid.resolution is 0 m, but must be"));
+  scan.cloud_laser.positions[7] = {1e6, 1e6, 0.0};
+  EXPECT_THAT(error(scan, {}), HasSubstr("is too large; use larger cells, or limit the range"));
+  scan.cloud_laser.positions[7].x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(error(scan, {}), HasSubstr("point 7 of scan 'wall' has a coordinate that is NaN"));
+  scan.T_map_laser.translation.y() = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(error(scan, {}), HasSubstr("the pose of scan 'wall' is NaN or infinite"));
+}
+
+TEST(ForEachCell, GoesFromCellToNeighbourAlongTheLine) {
+  RandomStream stream = NamedStream(1, "cells");
+  for (int trial = 0; trial < 500; ++trial) {
+    const Eigen::Vector2d from(DrawUniform(stream, -9.0, 9.0), DrawUniform(stream, -9.0, 9.0));
+    Eigen::Vector2d to(DrawUniform(stream, -9.0, 9.0), DrawUniform(stream, -9.0, 9.0));
+    if (trial % 4 == 0) to.x() = from.x();
+    if (trial % 8 == 0) to.y() = std::floor(to.y());  // on a border
+    std::vector<Cell> cells;
+    double before = 0.0;
+    ForEachCell(from, to, [&](const Cell& cell, double enter, double leave) {
+      EXPECT_EQ(enter, before);
+      EXPECT_LE(enter, leave);
+      const Eigen::Array2d middle = (from + 0.5 * (enter + leave) * (to - from)).array();
+      EXPECT_TRUE((middle >= cell.cast<double>() - 1e-9).all() &&
+                  (middle <= cell.cast<double>() + 1.0 + 1e-9).all());
+      if (!cells.empty()) {
+        EXPECT_EQ((cell - cells.back()).abs().sum(), 1);
+      }
+      cells.push_back(cell);
+      before = leave;
+    });
+    EXPECT_EQ(before, 1.0);
+    EXPECT_TRUE((cells.front() == from.array().floor().cast<int>()).all());
+    EXPECT_TRUE((cells.back() == to.array().floor().cast<int>()).all());
+  }
+}
+
+}  // namespace
+}  // namespace ariadne::slam
