@@ -10,17 +10,17 @@
 
 namespace ariadne::slam {
 
-/// The detector for points at a height, which come from many sweeps of the scanner (Sec. 4.2).
-inline LineOptions LinesOfUnorderedPoints() {
+/// The detectors for the points at a height: those come from many sweeps of the scanner, and Hough's has to
+/// take them without an order, as the group's does (Sec. 4.2).
+inline LineOptions LinesAtAHeight() {
   LineOptions lines;
-  lines.method = LineMethod::kHough;
   lines.hough.order = PointOrder::kUnordered;
   return lines;
 }
 
 struct LineMapOptions {
   HorizontalSliceOptions slice;
-  LineOptions lines = LinesOfUnorderedPoints();
+  LineOptions lines = LinesAtAHeight();
   double min_length = 0.1;
   MergeLinesOptions merge;
 
@@ -28,8 +28,8 @@ struct LineMapOptions {
   static void Visit(Self& self, Visitor& visit) {
     visit("slice", self.slice, "which points: those at a height");
     visit("lines", self.lines,
-          "how the points of a scan become lines; the points of a height come from many sweeps and are "
-          "unordered (4.2). Other methods get them in the order of their bearings");
+          "how the points of a scan become lines; hough is the paper's (4.2). The others get the points in "
+          "the order of their bearings; split_and_merge makes fewer lines of clutter");
     visit("min_length", self.min_length, Unit("m"), Range{0.0, 100.0},
           "of a line before it is merged with others; shorter ones are what clutter and chance bring");
     visit("merge", self.merge, "which lines of several scans are one");
