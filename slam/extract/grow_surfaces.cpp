@@ -2,11 +2,25 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "slam/geometry/angles.h"
 
 namespace ariadne::slam {
+
+/// A surface that a line may continue.
+struct SurfaceGrower::Candidate {
+  std::size_t surface = 0;
+  std::size_t line = 0;
+  bool has_plane = false;
+  double deviation = 0.0;                                     // from the plane [sigma]
+  double distance = std::numeric_limits<double>::infinity();  // between the middles of the lines [m]
+  std::vector<std::size_t> strands;
+
+  auto Rank() const { return std::tuple(!has_plane, deviation, distance, surface, line); }
+};
+
 namespace {
 
 using Link = GrowingSurface::Link;
@@ -44,34 +58,6 @@ bool Continues(const Strand& strand, const SpatialLine& line, const SurfaceOptio
   return IsInArea(next, last, pitch_step, options) || IsInArea(last, next, pitch_step, options);
 }
 
-/// A surface that a line may continue.
-struct Candidate {
-  std::size_t surface = 0;
-  std::size_t line = 0;
-  bool has_plane = false;
-  double deviation = 0.0;  // from the plane [sigma]
-  double distance = 0.0;   // between the middles of the lines [m]
-  std::vector<std::size_t> strands;
-
-  auto Rank() const { return std::tuple(!has_plane, deviation, distance, surface, line); }
-};
-
-Candidate Compare(const GrowingSurface& surface, const SpatialLine& line, std::size_t slice,
-                  const SurfaceOptions& options) {
-  Candidate candidate;
-  candidate.has_plane = surface.HasPlane();
-  for (std::size_t s = 0; s < surface.strands().size(); ++s) {
-    const Strand& strand = surface.strands()[s];
-    const auto missed = static_cast<int>(slice - strand.slice) - 1;
-    if (!strand.goes_on || missed > options.max_missed_slices) continue;
-    if (!Continues(strand, line, options)) continue;
-    candidate.strands.push_back(s);
-    candidate.distance = 0.5 * (strand.from() + strand.to() - line.from_laser - line.to_laser).norm();
-  }
-  if (!candidate.strands.empty()) candidate.deviation = surface.Deviation(line, options.noise);
-  return candidate;
-}
-
 bool IsOpen(const GrowingSurface& surface, std::size_t slice, int max_missed_slices) {
   return std::ranges::any_of(surface.strands(), [&](const Strand& strand) {
     return strand.goes_on && static_cast<int>(slice - strand.slice) <= max_missed_slices;
@@ -84,11 +70,28 @@ SurfaceGrower::SurfaceGrower(const SurfaceOptions& options) : options_(options) 
   CheckOptions(options, "surfaces.");
 }
 
+SurfaceGrower::Candidate SurfaceGrower::Compare(const GrowingSurface& surface,
+                                                const SpatialLine& line) const {
+  Candidate candidate;
+  candidate.has_plane = surface.HasPlane();
+  for (std::size_t s = 0; s < surface.strands().size(); ++s) {
+    const Strand& strand = surface.strands()[s];
+    const auto missed = static_cast<int>(slices_ - strand.slice) - 1;
+    if (!strand.goes_on || missed > options_.max_missed_slices) continue;
+    if (!Continues(strand, line, options_)) continue;
+    candidate.strands.push_back(s);
+    const Eigen::Vector3d twice = strand.from() + strand.to() - line.from_laser - line.to_laser;
+    candidate.distance = std::min(candidate.distance, 0.5 * twice.norm());
+  }
+  if (!candidate.strands.empty()) candidate.deviation = surface.Deviation(line, options_.noise);
+  return candidate;
+}
+
 void SurfaceGrower::AddSlice(const std::vector<SpatialLine>& lines) {
   std::vector<Candidate> candidates;
   for (const std::size_t s : open_) {
     for (std::size_t l = 0; l < lines.size(); ++l) {
-      Candidate candidate = Compare(surfaces_[s], lines[l], slices_, options_);
+      Candidate candidate = Compare(surfaces_[s], lines[l]);
       if (candidate.strands.empty() || candidate.deviation > options_.max_deviation) continue;
       candidate.surface = s;
       candidate.line = l;
@@ -96,6 +99,19 @@ void SurfaceGrower::AddSlice(const std::vector<SpatialLine>& lines) {
     }
   }
   std::ranges::sort(candidates, {}, &Candidate::Rank);
+  const std::vector<bool> taken = Continue(candidates, lines);
+  for (std::size_t l = 0; l < lines.size(); ++l) {
+    if (taken[l]) continue;
+    open_.push_back(surfaces_.size());
+    surfaces_.emplace_back(lines[l], slices_);
+  }
+  std::erase_if(open_,
+                [&](std::size_t s) { return !IsOpen(surfaces_[s], slices_, options_.max_missed_slices); });
+  ++slices_;
+}
+
+std::vector<bool> SurfaceGrower::Continue(const std::vector<Candidate>& candidates,
+                                          const std::vector<SpatialLine>& lines) {
   std::vector<bool> taken(lines.size(), false);
   std::vector<std::vector<Link>> links(surfaces_.size());
   for (const Candidate& candidate : candidates) {
@@ -109,14 +125,7 @@ void SurfaceGrower::AddSlice(const std::vector<SpatialLine>& lines) {
     for (const std::size_t strand : candidate.strands) links[candidate.surface].push_back({strand, &line});
   }
   for (const std::size_t s : open_) surfaces_[s].Continue(links[s], slices_);
-  for (std::size_t l = 0; l < lines.size(); ++l) {
-    if (taken[l]) continue;
-    open_.push_back(surfaces_.size());
-    surfaces_.emplace_back(lines[l], slices_);
-  }
-  std::erase_if(open_,
-                [&](std::size_t s) { return !IsOpen(surfaces_[s], slices_, options_.max_missed_slices); });
-  ++slices_;
+  return taken;
 }
 
 std::vector<PlanarSurface> SurfaceGrower::Surfaces() const {

@@ -60,6 +60,13 @@ class SurfaceGrower {
   std::vector<PlanarSurface> Surfaces() const;
 
  private:
+  struct Candidate;
+  /// Which strands of a surface a line may continue, by criteria 1 and 2, and how far it is from the plane.
+  Candidate Compare(const GrowingSurface& surface, const SpatialLine& line) const;
+  /// Gives the lines to surfaces, the best candidates first; returns which lines have one.
+  std::vector<bool> Continue(const std::vector<Candidate>& candidates,
+                             const std::vector<SpatialLine>& lines);
+
   SurfaceOptions options_;
   std::vector<GrowingSurface> surfaces_;  // in the order in which they began
   std::vector<std::size_t> open_;         // those that may go on, ascending

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <tuple>
 
 #include "slam/extract/detect_lines.h"
+#include "slam/geometry/angles.h"
 #include "tests/slam/extract/simulated_slice.h"
 
 /// Every detector with its defaults, in rooms that it was not tuned on.
@@ -57,40 +60,11 @@ class DetectRooms : public testing::TestWithParam<Detector> {
   }
 };
 
-struct Score {
-  std::size_t walls = 0, long_segments = 0, true_segments = 0;
-  std::vector<double> angles, offsets, ends;  // of the walls that are found
-
-  double Recall() const { return static_cast<double>(angles.size()) / static_cast<double>(walls); }
-  double Precision() const {
-    return static_cast<double>(true_segments) / static_cast<double>(long_segments);
-  }
-  double ShareOfEndsWithin(double distance) const {
-    const auto within = std::ranges::count_if(ends, [&](double end) { return end <= distance; });
-    return static_cast<double>(within) / static_cast<double>(ends.size());
-  }
-};
-
-void AddTo(Score& score, const SimulatedSlice& slice, const std::vector<LineSegment>& segments) {
-  for (const TrueWall& wall : slice.Walls()) {
-    ++score.walls;
-    const std::optional<WallError> error = FindWall(segments, wall);
-    if (!error) continue;
-    score.angles.push_back(error->angle);
-    score.offsets.push_back(error->offset);
-    score.ends.insert(score.ends.end(), {error->ends[0], error->ends[1]});
-  }
-  for (const LineSegment& segment : segments) {
-    if (segment.Length() <= 0.5) continue;
-    ++score.long_segments;
-    if (IsOnSurface(segment, slice.surfaces)) ++score.true_segments;
-  }
-}
-
 TEST_P(DetectRooms, FindsTheWallsAndLittleElse) {
-  Score score;
+  experiments::LineScore score;
   for (const SimulatedSlice& slice : Slices()) {
-    AddTo(score, slice, Detect(GetParam().needs_order() ? slice.points : Shuffled(slice.points)));
+    const auto segments = Detect(GetParam().needs_order() ? slice.points : Shuffled(slice.points));
+    score += experiments::ScoreLines(segments, slice.surfaces);
   }
   ASSERT_GT(score.walls, 200u);
   EXPECT_GE(score.Recall(), 0.95);
@@ -138,12 +112,12 @@ TEST_P(DetectRooms, DoesNotDependOnTheHeadingOfTheScanner) {
     for (const Eigen::Vector2d& p_a : slice.points) points_b.push_back(T_b_a * p_a);
     const std::vector<LineSegment> segments_a = Detect(slice.points), segments_b = Detect(points_b);
     for (TrueWall wall : slice.Walls()) {
-      if (!FindWall(segments_a, wall)) continue;
+      if (SegmentOf(segments_a, wall) == nullptr) continue;
       ++walls;
       wall.from = T_b_a * wall.from;
       wall.to = T_b_a * wall.to;
       wall.angle += T_b_a.angle;
-      if (!FindWall(segments_b, wall)) ++lost;
+      if (SegmentOf(segments_b, wall) == nullptr) ++lost;
     }
     if (GetParam().method == LineMethod::kHough) continue;  // its cells do not turn with the points
     ASSERT_EQ(segments_a.size(), segments_b.size());

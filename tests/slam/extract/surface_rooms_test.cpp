@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
+#include <vector>
 
 #include "experiments/metrics/surface_detection.h"
 #include "slam/extract/extract_surfaces.h"
+#include "slam/geometry/angles.h"
 #include "tests/slam/extract/simulated_slice.h"
 
 // Surfaces of random rooms with all errors of the scanner, against the patches that its beams meet.
