@@ -32,12 +32,12 @@ template <typename Visit>
 void ForEachCell(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const Visit& visit) {
   Cell cell = from.array().floor().cast<int>();
   const Cell last = to.array().floor().cast<int>();
-  const Eigen::Array2d way = (to - from).array();
+  const Eigen::Array2d pace = (to - from).array().inverse();  // share of the way per cell
   // The share at which the next border is crossed, in x and in y; none, where that axis is done. That is
   // counted in cells, so that rounding cannot lead past the last one.
   const auto border = [&](int axis) {
     if (cell[axis] == last[axis]) return std::numeric_limits<double>::infinity();
-    return (cell[axis] + (last[axis] > cell[axis] ? 1.0 : 0.0) - from[axis]) / way[axis];
+    return (cell[axis] + (last[axis] > cell[axis] ? 1.0 : 0.0) - from[axis]) * pace[axis];
   };
   double enter = 0.0;
   while ((cell != last).any()) {

@@ -47,8 +47,10 @@ class Ballot {
  public:
   explicit Ballot(std::size_t cells) : votes_(cells, Vote::kNone) {}
 
+  bool HasVoted(std::size_t cell) const { return votes_[cell] != Vote::kNone; }
+
   void Cast(std::size_t cell, Vote vote) {
-    if (votes_[cell] != Vote::kNone) return;
+    if (HasVoted(cell)) return;
     votes_[cell] = vote;
     voted_.push_back(cell);
   }

@@ -1,17 +1,14 @@
 #include "slam/map/line_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "slam/map/layer_names.h"
+#include "slam/map/scan_layers.h"
 
 namespace ariadne::slam {
 namespace {
 
-// Okabe and Ito's colours, which the colour blind can tell from each other, without black and yellow.
-constexpr std::array<Rgb, 6> kScanColors{
-    {{0, 114, 178}, {213, 94, 0}, {0, 158, 115}, {204, 121, 167}, {86, 180, 233}, {230, 159, 0}}};
 constexpr Rgb kLineColor{0, 0, 0};
 
 /// Seen from the laser, in the order of the bearings: from right over ahead to left, with the seam behind.
@@ -91,7 +88,7 @@ Drawing DrawingOf(const LineMap& map) {
   Drawing drawing;
   for (std::size_t scan = 0; scan < map.slices.size(); ++scan) {
     if (map.slices[scan].points_map.empty()) continue;
-    DrawingLayer layer{layer_names[scan], kScanColors[scan % kScanColors.size()], {}, {}, {}};
+    DrawingLayer layer{layer_names[scan], ScanColor(scan), {}, {}, {}};
     for (const Eigen::Vector2d& p_map : map.slices[scan].points_map)
       layer.points.push_back(at_ground(p_map));
     drawing.layers.push_back(std::move(layer));

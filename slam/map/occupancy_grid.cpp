@@ -91,6 +91,7 @@ void Collect(std::span<const GridBeam> beams, const Cells& cells, const SeenHeig
     const double rise = beam.to.z() - beam.from.z();
     const auto visit = [&](const Cell& cell, double enter, double leave) {
       const std::size_t index = cells.IndexOf(cell);
+      if (ballot.HasVoted(index)) return;
       const double z = beam.from.z();
       if (seen.WouldMeet(index, z + enter * rise, z + leave * rise)) ballot.Cast(index, Vote::kAgainst);
     };

@@ -8,6 +8,7 @@
 #include "drivers/simulated/box_world_scan.h"
 #include "slam/geometry/angles.h"
 #include "slam/map/layer_names.h"
+#include "slam/map/scan_layers.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random_geometry.h"
 
@@ -106,6 +107,15 @@ TEST(LineMap, IsDrawnInLayersPerScanAndClass) {
   EXPECT_EQ(drawing.layers[2].name, "lines");
   EXPECT_EQ(drawing.layers[0].points.size(), map.slices[0].points_map.size());
   EXPECT_EQ(drawing.layers[2].lines.size(), map.lines.size());
+}
+
+TEST(ScanLayers, HoldThePointsInTheMap) {
+  const std::vector<PosedCloud> scans{{"empty", {}, {}}, Scans()[1]};
+  const std::vector<DrawingLayer> layers = ScanLayers(scans);
+  ASSERT_EQ(layers.size(), 1U);
+  EXPECT_EQ(layers[0].name, "scan_scan");
+  EXPECT_EQ(layers[0].points, Transformed(scans[1].T_map_laser, scans[1].cloud_laser).positions);
+  EXPECT_FALSE(ScanColor(0) == ScanColor(1));
 }
 
 TEST(LayerNames, AreLegalAndDiffer) {
