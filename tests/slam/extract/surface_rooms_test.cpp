@@ -108,6 +108,40 @@ TEST_P(SurfaceRooms, GiveTheSameBytesAgain) {
   }
 }
 
+/// The patch as a surface without errors, between these shares of its extent along x.
+PlanarSurface SurfaceOf(const experiments::TruePatch& patch, double from, double to) {
+  PlanarSurface surface;
+  surface.T_frame_plane = PlaneFrame(patch.points_laser.front(), patch.plane_laser.normal);
+  Eigen::AlignedBox2d box;
+  for (const Eigen::Vector3d& p : patch.points_laser) box.extend(InPlane(surface, p));
+  const double left = box.min().x() - 0.01 + from * (box.sizes().x() + 0.02);
+  const double right = box.min().x() - 0.01 + to * (box.sizes().x() + 0.02);
+  const double bottom = box.min().y() - 0.01, top = box.max().y() + 0.01;
+  surface.outlines = {{{{left, bottom}, {right, bottom}, {right, top}, {left, top}}, {}}};
+  return surface;
+}
+
+TEST(ScoreSurfaces, TellsFoundFromMissedAndWholeFromCut) {
+  const auto& patches = Scans()[8].patches;
+  const auto largest = std::ranges::max_element(patches, {}, &experiments::TruePatch::area);
+  const std::vector<experiments::TruePatch> patch{*largest};
+  const std::vector<PlanarSurface> whole{SurfaceOf(*largest, 0.0, 1.0)};
+  const std::vector<PlanarSurface> cut{SurfaceOf(*largest, 0.0, 0.7), SurfaceOf(*largest, 0.7, 1.0)};
+  const SurfaceScore found = experiments::ScoreSurfaces(whole, patch, {});
+  EXPECT_EQ(found.Recall(), 1.0);
+  EXPECT_NEAR(found.covers.at(0), 1.0, 1e-9);
+  EXPECT_NEAR(found.offsets.at(0), 0.0, 1e-6);
+  EXPECT_NEAR(found.angles.at(0), 0.0, 1e-6);
+  EXPECT_EQ(found.pieces.at(0), 1.0);
+  EXPECT_EQ(experiments::ScoreSurfaces(cut, patch, {}).pieces.at(0), 2.0);
+  EXPECT_EQ(experiments::ScoreSurfaces({}, patch, {}).Recall(), 0.0);
+  std::vector<PlanarSurface> away = whole;
+  away[0].T_frame_plane.translation += 0.1 * largest->plane_laser.normal;
+  const SurfaceScore missed = experiments::ScoreSurfaces(away, patch, {});
+  EXPECT_EQ(missed.Recall(), 0.0);
+  EXPECT_EQ(missed.Precision(), 0.0);
+}
+
 INSTANTIATE_TEST_SUITE_P(, SurfaceRooms,
                          testing::Values(SurfaceMethod::kLines, SurfaceMethod::kRegionGrowing),
                          [](const auto& tested) { return std::string(NameOf(tested.param)); });
