@@ -57,8 +57,9 @@ bool SurfaceCover::Keeps(std::size_t patch, const std::array<std::uint32_t, 3>& 
 
 SurfaceCover::Facet SurfaceCover::FacetOf(std::size_t patch,
                                           const std::array<std::uint32_t, 3>& triangle) const {
-  const auto& [mesh, T_map_laser] = patches_[patch];
-  const auto corner = [&](int i) { return T_map_laser * mesh.vertices_laser[triangle[i]]; };
+  const std::vector<Eigen::Vector3d>& vertices_laser = patches_[patch].mesh_laser.vertices_laser;
+  const Pose3& T_map_laser = patches_[patch].T_map_laser;
+  const auto corner = [&](std::size_t i) { return T_map_laser * vertices_laser[triangle[i]]; };
   const Eigen::Vector3d a = corner(0), b = corner(1), c = corner(2);
   const Eigen::Vector3d across = (b - a).cross(c - a);
   Facet facet;

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "slam/geometry/angles.h"
@@ -155,42 +154,66 @@ class PlaneThroughBeams {
     return sum;
   }
 
-  template <typename WeightOf>
-  std::optional<Eigen::Vector3d> FitWeighted(const WeightOf& weight_of) const {
+  /// Of a weighted linear fit.
+  struct NormalEquations {
     Eigen::Matrix3d A = Eigen::Matrix3d::Zero();
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
-    for (const Sample& sample : samples_) {
-      const double weight = weight_of(sample);
+
+    void Add(const Sample& sample, double weight) {
       A += weight * sample.x * sample.x.transpose();
       b += weight * sample.value * sample.x;
     }
-    const Eigen::LDLT<Eigen::Matrix3d> factor(A);
-    const Eigen::Vector3d pivots = factor.vectorD();
-    if (!(pivots.minCoeff() > 1e-12 * pivots.maxCoeff())) return std::nullopt;  // all in one row
-    return Eigen::Vector3d(factor.solve(b));
+    void Add(const NormalEquations& other) {
+      A += other.A;
+      b += other.b;
+    }
+    std::optional<Eigen::Vector3d> Solve() const {
+      const Eigen::LDLT<Eigen::Matrix3d> factor(A);
+      const Eigen::Vector3d pivots = factor.vectorD();
+      if (!(pivots.minCoeff() > 1e-12 * pivots.maxCoeff())) return std::nullopt;  // all in one row
+      return Eigen::Vector3d(factor.solve(b));
+    }
+  };
+
+  /// The eighth of the window in which a sample lies, anticlockwise.
+  static std::size_t EighthOf(const Sample& sample) {
+    constexpr std::array<std::size_t, 8> kAnticlockwise{0, 1, 3, 2, 7, 6, 4, 5};
+    const double x = sample.x[1], y = sample.x[2];
+    return kAnticlockwise[(y < 0.0 ? 4U : 0U) | (x < 0.0 ? 2U : 0U) |
+                          (std::abs(y) > std::abs(x) ? 1U : 0U)];
   }
 
   /// At an edge the plane through all is on neither side: then the planes through half of the window
   /// compete for the agreement of the whole.
+  Eigen::Vector3d BestOfHalves(const Eigen::Vector3d& plane_of_all) const {
+    std::array<NormalEquations, 8> eighths;
+    for (const Sample& sample : samples_) eighths[EighthOf(sample)].Add(sample, 1.0);
+    Eigen::Vector3d best = plane_of_all;
+    double most = Agreement(best);
+    for (std::size_t first = 0; first < 8; ++first) {
+      NormalEquations half = eighths[first];
+      for (std::size_t k = 1; k < 4; ++k) half.Add(eighths[(first + k) % 8]);
+      const std::optional<Eigen::Vector3d> plane = half.Solve();
+      const double agreement = plane ? Agreement(*plane) : 0.0;
+      if (agreement <= most) continue;
+      best = *plane;
+      most = agreement;
+    }
+    return best;
+  }
+
   std::optional<Eigen::Vector3d> FitRobustly() const {
     constexpr double kFlat = 0.8;  // mean weight of noise alone
     constexpr int kIterations = 3;
-    std::optional<Eigen::Vector3d> plane = FitWeighted([](const Sample&) { return 1.0; });
+    NormalEquations all;
+    for (const Sample& sample : samples_) all.Add(sample, 1.0);
+    std::optional<Eigen::Vector3d> plane = all.Solve();
     if (!plane) return plane;
-    double most = Agreement(*plane);
-    if (most < kFlat * static_cast<double>(samples_.size())) {
-      for (int turn = 0; turn < 8; ++turn) {
-        const double angle = turn * std::numbers::pi / 4.0;
-        const Eigen::Vector3d side(1e-9, std::cos(angle), std::sin(angle));  // the middle belongs to all
-        const auto half =
-            FitWeighted([&](const Sample& sample) { return side.dot(sample.x) >= 0.0 ? 1.0 : 0.0; });
-        if (!half || Agreement(*half) <= most) continue;
-        plane = half;
-        most = Agreement(*half);
-      }
-    }
+    if (Agreement(*plane) < kFlat * static_cast<double>(samples_.size())) plane = BestOfHalves(*plane);
     for (int i = 0; i < kIterations && plane; ++i) {
-      plane = FitWeighted([&](const Sample& sample) { return Weight(*plane, sample); });
+      NormalEquations agreeing;
+      for (const Sample& sample : samples_) agreeing.Add(sample, Weight(*plane, sample));
+      plane = agreeing.Solve();
     }
     return plane;
   }
