@@ -18,22 +18,28 @@ constexpr double kRefit = 1.3;              // times as many points as at the la
 
 /// What regions grow on.
 struct Field {
+  Field(const PointCloud& cloud, const DirectionGrid& directions, const std::vector<SurfaceNormal>& around,
+        const RegionGrowingOptions& chosen)
+      : cloud_laser(cloud), grid(directions), normals(around), options(chosen) {
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const SurfaceNormal& surface = normals[i];
+      smooth.push_back(surface.exists() &&
+                       surface.rms <= kRough * SigmaAcross(surface.normal, p(i), options.noise));
+    }
+  }
+
   const PointCloud& cloud_laser;
   const DirectionGrid& grid;
   const std::vector<SurfaceNormal>& normals;
   const RegionGrowingOptions& options;
+  std::vector<bool>
+      smooth;  // whether the normal of a point is that of a surface, and not of what meets at an edge
 
   const Eigen::Vector3d& p(std::size_t point) const { return cloud_laser.positions[point]; }
 
-  /// Whether the normal of a point is that of a surface, and not of what meets at an edge.
-  bool IsSmooth(std::size_t point) const {
-    const SurfaceNormal& surface = normals[point];
-    return surface.exists() && surface.rms <= kRough * SigmaAcross(surface.normal, p(point), options.noise);
-  }
-
   /// Whether a region may go on from a point: not at edges, but where the beams are so far apart that a
   /// point has no normal, and the distance from the plane is all that there is.
-  bool LeadsOn(std::size_t point) const { return !normals[point].exists() || IsSmooth(point); }
+  bool LeadsOn(std::size_t point) const { return !normals[point].exists() || smooth[point]; }
 
   bool AreNear(std::size_t a, std::size_t b) const {
     const double step = static_cast<double>(kReach) * std::max(grid.row_step(), grid.column_step());
@@ -61,7 +67,7 @@ class Region {
     const double sigma = std::hypot(SigmaAcross(normal_, p, noise),
                                     SystematicAcross(normal_, p, p.norm() - mean_.norm(), noise));
     if (distance > field_->options.max_deviation * sigma) return false;
-    return !field_->IsSmooth(point) ||
+    return !field_->smooth[point] ||
            normal_.dot(field_->normals[point].normal) >= std::cos(field_->options.max_angle);
   }
 
@@ -126,7 +132,7 @@ std::optional<PlanarSurface> SurfaceOf(const Field& field, const std::vector<std
 std::vector<std::size_t> Seeds(const Field& field) {
   std::vector<std::size_t> seeds;
   for (std::size_t i = 0; i < field.cloud_laser.size(); ++i) {
-    if (field.IsSmooth(i)) seeds.push_back(i);
+    if (field.smooth[i]) seeds.push_back(i);
   }
   std::ranges::stable_sort(seeds, {}, [&](std::size_t i) { return field.normals[i].flatness; });
   return seeds;
@@ -143,7 +149,7 @@ std::vector<PlanarSurface> GrowRegions(const PointCloud& cloud_laser, const Regi
                                  ? DirectionGrid::OfSlices(cloud_laser)
                                  : DirectionGrid::OfDirections(cloud_laser, options.direction_step);
   const std::vector<SurfaceNormal> normals = SurfaceNormals(cloud_laser, grid, options.normals);
-  const Field field{cloud_laser, grid, normals, options};
+  const Field field(cloud_laser, grid, normals, options);
   std::vector<std::uint32_t> region_of(cloud_laser.size(), kFree);
   std::vector<PlanarSurface> surfaces;
   std::uint32_t regions = kFree;

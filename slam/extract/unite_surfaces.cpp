@@ -78,17 +78,31 @@ double DistanceToEdge(const Eigen::Vector2d& p, const Eigen::Vector2d& a, const 
   return (a + share * ab - p).norm();
 }
 
-/// Whether a corner of one ring is that near to an edge of the other. Rings that cross without a corner
-/// near an edge are found by the corners that one has within the other, or have long edges that cross in
-/// the open, which outlines of beams do not.
-bool HasCornerNear(const Ring& ring, const Ring& other, double gap) {
-  Box2 box = BoxAround(other);
-  if (box.isEmpty()) return false;
-  box.extend(box.max() + Eigen::Vector2d(gap, gap)).extend(box.min() - Eigen::Vector2d(gap, gap));
-  for (const Eigen::Vector2d& p : ring) {
-    if (!box.contains(p)) continue;
-    for (std::size_t i = 0; i < other.size(); ++i) {
-      if (DistanceToEdge(p, other[i], other[(i + 1) % other.size()]) <= gap) return true;
+/// Whether two edges cross, each with its ends on both sides of the other.
+bool Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+           const Eigen::Vector2d& d) {
+  const auto is_left = [](const Eigen::Vector2d& p, const Eigen::Vector2d& q, const Eigen::Vector2d& r) {
+    return (q.x() - p.x()) * (r.y() - p.y()) > (q.y() - p.y()) * (r.x() - p.x());
+  };
+  return is_left(a, b, c) != is_left(a, b, d) && is_left(c, d, a) != is_left(c, d, b);
+}
+
+/// Whether two edges come that near to each other: where they do not cross, an end is nearest.
+bool AreEdgesNear(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                  const Eigen::Vector2d& d, double gap) {
+  return DistanceToEdge(a, c, d) <= gap || DistanceToEdge(b, c, d) <= gap ||
+         DistanceToEdge(c, a, b) <= gap || DistanceToEdge(d, a, b) <= gap || Cross(a, b, c, d);
+}
+
+bool AreNear(const Ring& ring, const Ring& other, double gap) {
+  Box2 around = BoxAround(other);
+  if (ring.empty() || other.empty()) return false;
+  around = Box2(around.min() - Eigen::Vector2d(gap, gap), around.max() + Eigen::Vector2d(gap, gap));
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (!around.intersects(BoxAround({a, b}))) continue;
+    for (std::size_t k = 0; k < other.size(); ++k) {
+      if (AreEdgesNear(a, b, other[k], other[(k + 1) % other.size()], gap)) return true;
     }
   }
   return false;
@@ -96,11 +110,9 @@ bool HasCornerNear(const Ring& ring, const Ring& other, double gap) {
 
 bool AreNear(const Polygon2& a, const Polygon2& b, double gap) {
   if (a.outer.empty() || b.outer.empty()) return false;
-  if (Contains(a, b.outer[0]) || Contains(b, a.outer[0])) return true;
-  if (HasCornerNear(a.outer, b.outer, gap) || HasCornerNear(b.outer, a.outer, gap)) return true;
-  return std::ranges::any_of(a.holes,
-                             [&](const Ring& hole) { return HasCornerNear(b.outer, hole, gap); }) ||
-         std::ranges::any_of(b.holes, [&](const Ring& hole) { return HasCornerNear(a.outer, hole, gap); });
+  if (Contains(a, b.outer[0]) || Contains(b, a.outer[0]) || AreNear(a.outer, b.outer, gap)) return true;
+  return std::ranges::any_of(a.holes, [&](const Ring& hole) { return AreNear(b.outer, hole, gap); }) ||
+         std::ranges::any_of(b.holes, [&](const Ring& hole) { return AreNear(a.outer, hole, gap); });
 }
 
 bool AreNear(const std::vector<Polygon2>& a, const std::vector<Polygon2>& b, double gap) {
@@ -117,15 +129,18 @@ Pose3 Moved(const Pose3& T_frame_plane, const Eigen::Vector3d& turns_and_shift) 
   return T_frame_plane * T_plane_moved;
 }
 
+/// Also of a plane that is said to be known exactly.
+Eigen::Matrix3d Inverse(const Eigen::Matrix3d& covariance) {
+  constexpr double kLeast = 1e-14;  // a tenth of a micrometre
+  return (covariance + kLeast * Eigen::Matrix3d::Identity()).ldlt().solve(Eigen::Matrix3d::Identity());
+}
+
 PlanarSurface Unite(const PlanarSurface& a, const PlanarSurface& b) {
   const auto points_a = static_cast<double>(a.points), points_b = static_cast<double>(b.points);
   const double share = points_b / std::max(1.0, points_a + points_b);
   const RelativePlane relative = Relative(a, b, b.covariance);
-  const auto inverse = [](const Eigen::Matrix3d& m) -> Eigen::Matrix3d {
-    return m.ldlt().solve(Eigen::Matrix3d::Identity());
-  };
-  const Eigen::Matrix3d information_b = share * inverse(relative.covariance);
-  const Eigen::Matrix3d covariance = inverse((1.0 - share) * inverse(a.covariance) + information_b);
+  const Eigen::Matrix3d information_b = share * Inverse(relative.covariance);
+  const Eigen::Matrix3d covariance = Inverse((1.0 - share) * Inverse(a.covariance) + information_b);
   PlanarSurface united;
   united.T_frame_plane = Moved(a.T_frame_plane, covariance * (information_b * relative.turns_and_shift));
   united.covariance = 0.5 * (covariance + covariance.transpose());

@@ -185,6 +185,20 @@ TEST(UniteSurfaces, JoinsWhatIsOnePlaneAndTouches) {
   EXPECT_EQ(UniteSurfaces({a, Square({over, {0.5, 0, 0}}, 1.0)}, {}).size(), 2u);  // the other side
 }
 
+TEST(UniteSurfaces, JoinsBarsThatCross) {
+  PlanarSurface bar = Square(At(0, 0, 0), 1.0), other = bar;
+  bar.outlines = {{{{-2, -0.1}, {2, -0.1}, {2, 0.1}, {-2, 0.1}}, {}}};
+  other.outlines = {{{{-0.1, -2}, {0.1, -2}, {0.1, 2}, {-0.1, 2}}, {}}};
+  UniteOptions overlapping;
+  overlapping.max_gap = 0.0;
+  bar.covariance.setZero();
+  other.covariance.setZero();
+  const auto united = UniteSurfaces({bar, other}, overlapping);
+  ASSERT_EQ(united.size(), 1u);
+  EXPECT_NEAR(Area(united[0]), 1.56, 1e-3);
+  EXPECT_TRUE(IsFinite(united[0].T_frame_plane));
+}
+
 TEST(UniteSurfaces, WeighsThePlanesAndUnitesTheOutlines) {
   const PlanarSurface a = Square(At(0, 0, 0), 1.0, 300), b = Square(At(0.5, 0, 0.008), 1.0, 100);
   const Pose3 T{Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized())),
