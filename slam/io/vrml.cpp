@@ -87,6 +87,7 @@ void PutScene(std::ostream& out, const Box3& box, const auto& put_groups) {
   ChunkedOutput vrml(out);
   vrml.Print("#VRML V2.0 utf8\n");
   vrml.Print("WorldInfo {{ title \"ariadne\" info [ \"metres; z is up within the Transform\" ] }}\n");
+  vrml.Print("Background {{ skyColor [ 1 1 1 ] }}\n");  // the default is black, as lines often are
   vrml.Print("Transform {{ rotation 1 0 0 {:.9f} children [\n", -0.5 * std::numbers::pi);
   PutViewpoint(vrml, "from the front and above", box, RadFromDeg(60.0));
   PutViewpoint(vrml, "from above", box, 0.0);
