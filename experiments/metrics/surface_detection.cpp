@@ -130,6 +130,36 @@ double Angle(const PlanarSurface& surface, const TruePatch& patch) {
   return std::atan2(normal.cross(patch.plane_laser.normal).norm(), normal.dot(patch.plane_laser.normal));
 }
 
+/// Which surface has most of a patch, or which patch most of a surface.
+struct Best {
+  Overlap overlap;
+  std::size_t index = 0;
+};
+
+struct Matches {
+  std::vector<Best> of_patch;
+  std::vector<Best> of_surface;
+
+  /// Surfaces that lie on the patch more than on others.
+  double Pieces(std::size_t patch) const {
+    return static_cast<double>(std::ranges::count_if(
+        of_surface, [&](const Best& best) { return best.overlap.area > 0.0 && best.index == patch; }));
+  }
+};
+
+Matches Match(std::span<const PlanarSurface> surfaces_laser, std::span<const TruePatch> patches,
+              const SurfaceScoreOptions& options) {
+  Matches matches{std::vector<Best>(patches.size()), std::vector<Best>(surfaces_laser.size())};
+  for (std::size_t s = 0; s < surfaces_laser.size(); ++s) {
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+      const Overlap overlap = OverlapOf(surfaces_laser[s], patches[p], options);
+      if (overlap.area > matches.of_patch[p].overlap.area) matches.of_patch[p] = {overlap, s};
+      if (overlap.area > matches.of_surface[s].overlap.area) matches.of_surface[s] = {overlap, p};
+    }
+  }
+  return matches;
+}
+
 }  // namespace
 
 std::vector<TruePatch> VisiblePatches(const drivers::RayScene& scene, const slam::Pose3& T_map_base,
@@ -178,35 +208,25 @@ SurfaceScore& SurfaceScore::operator+=(const SurfaceScore& other) {
 
 SurfaceScore ScoreSurfaces(std::span<const PlanarSurface> surfaces_laser,
                            std::span<const TruePatch> patches, const SurfaceScoreOptions& options) {
+  const Matches matches = Match(surfaces_laser, patches, options);
   SurfaceScore score;
-  struct Best {
-    Overlap overlap;
-    std::size_t index = 0;
-  };
-  std::vector<Best> of_patch(patches.size()), of_surface(surfaces_laser.size());
   for (std::size_t s = 0; s < surfaces_laser.size(); ++s) {
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-      const Overlap overlap = OverlapOf(surfaces_laser[s], patches[p], options);
-      if (overlap.area > of_patch[p].overlap.area) of_patch[p] = {overlap, s};
-      if (overlap.area > of_surface[s].overlap.area) of_surface[s] = {overlap, p};
-    }
     const double area = slam::Area(surfaces_laser[s]);
     if (area < options.min_surface_area) continue;
     ++score.surfaces;
-    if (of_surface[s].overlap.area >= 0.5 * area) ++score.true_ones;
+    if (matches.of_surface[s].overlap.area >= 0.5 * area) ++score.true_ones;
   }
   for (std::size_t p = 0; p < patches.size(); ++p) {
-    const TruePatch& patch = patches[p];
-    if (!IsToBeFound(patch, options)) continue;
+    if (!IsToBeFound(patches[p], options)) continue;
     ++score.patches;
-    const double cover = of_patch[p].overlap.area / patch.area;
+    const Best& best = matches.of_patch[p];
+    const double cover = best.overlap.area / patches[p].area;
     if (cover < options.min_cover) continue;
     ++score.found;
     score.covers.push_back(cover);
-    score.angles.push_back(Angle(surfaces_laser[of_patch[p].index], patch));
-    score.offsets.push_back(of_patch[p].overlap.distance);
-    score.pieces.push_back(static_cast<double>(std::ranges::count_if(
-        of_surface, [&](const Best& best) { return best.overlap.area > 0.0 && best.index == p; })));
+    score.angles.push_back(Angle(surfaces_laser[best.index], patches[p]));
+    score.offsets.push_back(best.overlap.distance);
+    score.pieces.push_back(matches.Pieces(p));
   }
   return score;
 }

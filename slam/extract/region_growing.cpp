@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "slam/base/error.h"
 #include "slam/extract/region_outline.h"
@@ -32,8 +31,7 @@ struct Field {
   const DirectionGrid& grid;
   const std::vector<SurfaceNormal>& normals;
   const RegionGrowingOptions& options;
-  std::vector<bool>
-      smooth;  // whether the normal of a point is that of a surface, and not of what meets at an edge
+  std::vector<bool> smooth;  // whether a point's normal is that of one surface, and not of an edge
 
   const Eigen::Vector3d& p(std::size_t point) const { return cloud_laser.positions[point]; }
 

@@ -42,7 +42,9 @@ struct RegionGrowingOptions {
 /// The comparator of the paper's detector, after Rabbani, van den Heuvel and Vosselman (2006): from the
 /// flattest neighbourhood on, a region takes in neighbours whose normal is like its own and that lie on its
 /// plane, which is fit anew as it grows; then the flattest one that is left begins the next region. Points
-/// at edges, whose normal says nothing, join by their distance alone, and do not lead on. No randomness.
+/// at edges, whose normal says nothing, join by their distance alone, and do not lead on; so do points that
+/// are too far from others for a normal, on surfaces that are met at a grazing angle, and these lead on.
+/// No randomness.
 ///
 /// Neighbours are those of the slices, or, for a cloud without, of the directions. Surfaces are in the
 /// laser frame, in the order in which they began.
