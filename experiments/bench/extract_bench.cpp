@@ -116,6 +116,8 @@ void RegisterAll() {
 
 int main(int argc, char** argv) {
   benchmark::Initialize(&argc, argv);
+  benchmark::AddCustomContext("scans",
+                              std::to_string(ariadne::bench::Scans().size()));  // made before any timing
   ariadne::bench::RegisterAll();
   benchmark::RunSpecifiedBenchmarks();
   return 0;
