@@ -48,6 +48,9 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddInfoCommand(app);
   ariadne::experiments::AddConfigCommand(app);
   ariadne::experiments::AddSimulateCommand(app);
+  ariadne::experiments::AddExtractCommand(app);
+  ariadne::experiments::AddMapCommand(app);
+  ariadne::experiments::AddExportCommand(app);
   ariadne::experiments::AddViewCommand(app);
   try {
     if (argc > 1 && argv[1][0] != '-') RequireKnownCommand(app, argv[1]);

@@ -115,12 +115,6 @@ TriangleMesh MakeRod(const Vector3d& from, const Vector3d& to, double radius_fro
                {turn, from});
 }
 
-void Append(TriangleMesh& mesh, const TriangleMesh& more) {
-  const Index first = Count(mesh);
-  mesh.vertices.insert(mesh.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const auto& [a, b, c] : more.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
-}
-
 TriangleMesh Moved(TriangleMesh mesh, const slam::Pose3& T_to_from) {
   for (Vector3d& v : mesh.vertices) v = T_to_from * v;
   return mesh;

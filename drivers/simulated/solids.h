@@ -31,7 +31,6 @@ TriangleMesh MakeEllipsoid(const Eigen::Vector3d& center, const Eigen::Vector3d&
 TriangleMesh MakeRod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius_from,
                      double radius_to, int sides = 12);
 
-void Append(TriangleMesh& mesh, const TriangleMesh& more);
 TriangleMesh Moved(TriangleMesh mesh, const slam::Pose3& T_to_from);
 
 /// Whether each edge is shared by two triangles that run along it in opposite directions.

@@ -14,5 +14,8 @@ void AddInfoCommand(CLI::App& app);
 void AddConfigCommand(CLI::App& app);
 void AddSimulateCommand(CLI::App& app);
 void AddViewCommand(CLI::App& app);
+void AddExtractCommand(CLI::App& app);
+void AddMapCommand(CLI::App& app);
+void AddExportCommand(CLI::App& app);
 
 }  // namespace ariadne::experiments

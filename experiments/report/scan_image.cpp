@@ -6,6 +6,7 @@
 #include "experiments/render/camera.h"
 #include "experiments/render/color_map.h"
 #include "experiments/render/point_view.h"
+#include "experiments/report/model_pictures.h"
 #include "slam/base/error.h"
 
 namespace ariadne::experiments {
@@ -48,8 +49,7 @@ Image CorrectedReflectance(const slam::Scan& scan, int width, int height, double
   const slam::PointCloud cloud_laser = slam::ToPointCloud(scan);
   if (cloud_laser.reflectance.size() != cloud_laser.size()) Fail("the scan has no reflectance to draw");
   const std::vector<double> values(cloud_laser.reflectance.begin(), cloud_laser.reflectance.end());
-  const Camera camera = LookAt(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitZ(),
-                               field_of_view, {width, height});
+  const Camera camera = AheadCamera({width, height}, field_of_view);
   return RenderPoints(ColoredByValue(cloud_laser.positions, values, ColorMap::kGray, RobustRange(values)),
                       camera, {.background = kBlack});
 }

@@ -6,10 +6,13 @@
 
 #include "experiments/studies/ablation_graph.h"
 #include "experiments/studies/ablation_matching.h"
+#include "experiments/studies/extract.h"
 #include "experiments/studies/fig_02.h"
 #include "experiments/studies/fig_03.h"
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
+#include "experiments/studies/fig_11.h"
+#include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
 #include "experiments/studies/posegraph_benchmark.h"
 #include "experiments/studies/register.h"
@@ -74,14 +77,20 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<PosegraphBenchmarkOptions>("posegraph_benchmark",
                                            "the public pose graphs: minima and certificates",
                                            CheckPosegraphBenchmark, RunPosegraphBenchmarkStudy),
+      MakeStudy<ExtractOptions>("extract", "lines, surfaces and objects of each scan", RunExtract),
+      MakeStudy<MapStudyOptions>("map", "the scans of a run into a model of the building", CheckMapInput,
+                                 RunMap),
       MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot",
                                  RunSimulate),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
                                RunTable1),
-      MakeStudy<Fig02Options>("fig_02", "a scan as images of its reflectance", RunFig02),
+      MakeStudy<Fig02Options>("fig_02", "a scan from its reflectance to lines, surfaces and objects",
+                              RunFig02),
       MakeStudy<Fig03Options>("fig_03", "two scans before, during and after ICP", RunFig03),
       MakeStudy<Fig04Options>("fig_04", "scans of a corridor by each way of matching", RunFig04),
-      MakeStudy<Fig05Options>("fig_05", "the reduced points of a scan beside all of its points", RunFig05),
+      MakeStudy<Fig05Options>(
+          "fig_05", "the edge points and reduced points of a scan beside all of its points", RunFig05),
+      MakeStudy<Fig11Options>("fig_11", "the octree of a scan at several depths", RunFig11),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
                                          RunAblationMatching),

@@ -7,6 +7,7 @@
 #include "experiments/report/map_pictures.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
+#include "slam/extract/slice_lines.h"
 #include "slam/reduce/reduce.h"
 
 namespace ariadne::experiments {
@@ -18,16 +19,26 @@ std::string RunFig05(const Fig05Options& options, const RunDirectory& run, Progr
   const slam::PointCloud all =
       slam::WithinRange(source.Read(0).cloud_laser, options.scan.min_range, options.scan.max_range);
   const slam::PointCloud reduced = slam::Reduce(all, options.reduce);
+  const slam::PointCloud edges = slam::EdgePointCloud(all, options.lines);
   const slam::PosedCloud frame{source.name(0), all, {}};
   constexpr double kEnlarged = 4.0, kSmall = 1.0;  // radius of a point in the picture [px]
-  const Image left = ScanPicture({source.name(0), reduced, {}}, frame, kEnlarged,
-                                 fmt::format("{} reduced points, enlarged", reduced.size()));
-  const Image right = ScanPicture(frame, frame, kSmall, fmt::format("All {} points", all.size()));
-  WritePng(run.File("figures/reduced_and_all.png"), Grid({left, right}, {.columns = 2}));
-  run.WriteJson("metrics.json", {{"points", all.size()}, {"reduced_points", reduced.size()}});
-  FinishRun(run, "Fig. 5: reduced points beside all points", 1);
-  return fmt::format("{} points, {} reduced points: 1 of {:.1f}\n", all.size(), reduced.size(),
-                     static_cast<double>(all.size()) / static_cast<double>(reduced.size()));
+  const auto picture = [&](const slam::PointCloud& points, double radius, const char* kind) {
+    return ScanPicture({source.name(0), points, {}}, frame, radius,
+                       fmt::format("{} {}", points.size(), kind));
+  };
+  WritePng(run.File("figures/fig_05.png"),
+           Grid({picture(edges, kEnlarged, "edge points"), picture(reduced, kEnlarged, "reduced points"),
+                 picture(all, kSmall, "points")},
+                {.columns = 3}));
+  run.WriteJson(
+      "metrics.json",
+      {{"points", all.size()}, {"reduced_points", reduced.size()}, {"edge_points", edges.size()}});
+  FinishRun(run, "Fig. 5: edge points, reduced points and all points", 1);
+  const auto one_of = [&](std::size_t n) {
+    return static_cast<double>(all.size()) / static_cast<double>(n);
+  };
+  return fmt::format("{} points, {} reduced points: 1 of {:.1f}, {} edge points: 1 of {:.1f}\n", all.size(),
+                     reduced.size(), one_of(reduced.size()), edges.size(), one_of(edges.size()));
 }
 
 }  // namespace ariadne::experiments

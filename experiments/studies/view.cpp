@@ -13,7 +13,7 @@
 #include "experiments/render/world_view.h"
 #include "experiments/report/map_cameras.h"
 #include "experiments/run/data_path.h"
-#include "experiments/studies/run_map.h"
+#include "experiments/studies/run_scans.h"
 #include "slam/base/error.h"
 
 namespace ariadne::experiments {
@@ -30,7 +30,7 @@ struct Coloring {
   std::string quantity;  // empty: no scale
 };
 
-Coloring ColorByError(const RunMap& map, const HeightBand& heights) {
+Coloring ColorByError(const RegisteredMap& map, const HeightBand& heights) {
   if (map.input.folder != "builtin:tour" || !map.T_world_master) {
     Fail("color=error needs a world that is known: a run with input.folder=builtin:tour");
   }
@@ -45,7 +45,7 @@ Coloring ColorByError(const RunMap& map, const HeightBand& heights) {
           "distance from the true surface [m]"};
 }
 
-Coloring Color(const RunMap& map, const ViewOptions& options) {
+Coloring Color(const RegisteredMap& map, const ViewOptions& options) {
   const HeightBand heights = options.from == ViewFrom::kScanner ? HeightBand{} : WithoutCeiling(map.scans);
   switch (options.color) {
     case ViewColor::kScan:
@@ -72,7 +72,7 @@ Camera Resized(Camera camera, int width) {
   return camera;
 }
 
-Camera CameraOf(const RunMap& map, const ViewOptions& options) {
+Camera CameraOf(const RegisteredMap& map, const ViewOptions& options) {
   if (options.from == ViewFrom::kTop) return Resized(TopCamera(map.scans), options.width);
   if (options.from == ViewFrom::kOblique) return Resized(ObliqueCamera(map.scans), options.width);
   if (static_cast<std::size_t>(options.scan) >= map.scans.size()) {
@@ -111,7 +111,7 @@ std::vector<Eigen::Vector3d> CornersBelow(const drivers::World& world, double he
 }  // namespace
 
 Image ViewRun(const std::filesystem::path& run, const ViewOptions& options) {
-  const RunMap map = ReadRunMap(run);
+  const RegisteredMap map = ReadRegisteredMap(run);
   const Coloring coloring = Color(map, options);
   const Camera camera = CameraOf(map, options);
   Image picture = RenderPoints(coloring.points, camera);

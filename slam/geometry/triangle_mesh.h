@@ -16,4 +16,7 @@ struct TriangleMesh {
   std::vector<Rgb> colors = {};  // empty, or one per vertex
 };
 
+/// Adds the triangles of `tail`. Colours survive where both have them, or where one is empty.
+void Append(TriangleMesh& mesh, const TriangleMesh& tail);
+
 }  // namespace ariadne::slam

@@ -27,12 +27,12 @@ class RunScans {
 };
 
 /// All of them at once, and where a simulated one was really taken.
-struct RunMap {
+struct RegisteredMap {
   std::vector<slam::PosedCloud> scans;
   InputOptions input;
   std::optional<slam::Pose3> T_world_master;
 };
 
-RunMap ReadRunMap(const std::filesystem::path& run);
+RegisteredMap ReadRegisteredMap(const std::filesystem::path& run);
 
 }  // namespace ariadne::experiments

@@ -1,4 +1,4 @@
-#include "experiments/studies/run_map.h"
+#include "experiments/studies/run_scans.h"
 
 #include <fstream>
 
@@ -37,9 +37,9 @@ slam::PosedCloud RunScans::Read(std::size_t i) const {
           T_map_laser_[i]};
 }
 
-RunMap ReadRunMap(const std::filesystem::path& run) {
+RegisteredMap ReadRegisteredMap(const std::filesystem::path& run) {
   const RunScans scans(run);
-  RunMap map{{}, scans.options().input, scans.source().truth(0)};
+  RegisteredMap map{{}, scans.options().input, scans.source().truth(0)};
   for (std::size_t i = 0; i < scans.size(); ++i) map.scans.push_back(scans.Read(i));
   return map;
 }
