@@ -3,26 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/metrics/statistics.h"
 #include "slam/registration/correspondences.h"
 
 namespace ariadne::experiments {
-namespace {
-
-double Median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-double Rms(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value * value;
-  return values.empty() ? 0.0 : std::sqrt(sum / static_cast<double>(values.size()));
-}
-
-}  // namespace
-
 PairResidual MeasureResidual(const slam::MapScan& model, const slam::MapScan& data,
                              const slam::Pose3& T_model_data, double max_distance,
                              const Parallel& parallel) {
@@ -39,7 +23,8 @@ PairResidual MeasureResidual(const slam::MapScan& model, const slam::MapScan& da
     plane_distances.push_back(
         std::abs(surface.normal.dot(T_model_data * points[i] - model.tree_laser.points()[m])));
   }
-  return {distances.size(), Median(distances), Median(plane_distances), Rms(plane_distances)};
+  const Summary to_planes = Summarize(plane_distances);
+  return {distances.size(), Summarize(distances).median, to_planes.median, to_planes.rms};
 }
 
 std::vector<ResidualChange> MeasureResiduals(const std::vector<slam::MapScan>& scans,

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/metrics/statistics.h"
 #include "slam/geometry/box3.h"
 #include "slam/search/kd_tree.h"
 
@@ -19,12 +20,6 @@ constexpr double kWorthTelling = 0.001;  // share of the points
 constexpr double kNotByChance = 10.0;    // points at one range: the farthest ones of a small scan are not
 constexpr double kSameRange = 1e-3;      // within it, ranges at the far end are one value: relative
 constexpr double kManyTimesMedian = 100.0;  // a farthest point beyond this is probably no measurement
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// Distances from evenly chosen points to their nearest neighbours. Zero: the points stand in the file
 /// twice.
