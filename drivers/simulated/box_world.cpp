@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kHeight = 2.7;  // of the ceiling [m]
 
-slam::Box3 MakeBox(double x0, double x1, double y0, double y1, double z0, double z1) {
+slam::Box3 BoxFromTo(double x0, double x1, double y0, double y1, double z0, double z1) {
   return {Eigen::Vector3d(x0, y0, z0), Eigen::Vector3d(x1, y1, z1)};
 }
 
@@ -38,17 +38,17 @@ double EntryDistance(const slam::Box3& box, const Eigen::Vector3d& origin,
 void AddWallWithDoor(std::vector<slam::Box3>& solids, double x0, double x1, double y0, double y1,
                      double door_x) {
   constexpr double kDoorWidth = 1.0, kDoorHeight = 2.0;
-  solids.push_back(MakeBox(x0, door_x, y0, y1, 0.0, kHeight));
-  solids.push_back(MakeBox(door_x + kDoorWidth, x1, y0, y1, 0.0, kHeight));
-  solids.push_back(MakeBox(door_x, door_x + kDoorWidth, y0, y1, kDoorHeight, kHeight));
+  solids.push_back(BoxFromTo(x0, door_x, y0, y1, 0.0, kHeight));
+  solids.push_back(BoxFromTo(door_x + kDoorWidth, x1, y0, y1, 0.0, kHeight));
+  solids.push_back(BoxFromTo(door_x, door_x + kDoorWidth, y0, y1, kDoorHeight, kHeight));
 }
 
 void AddTable(std::vector<slam::Box3>& solids, double x, double y, double length, double width) {
   constexpr double kLeg = 0.06, kTop = 0.74;
-  solids.push_back(MakeBox(x, x + length, y, y + width, kTop - 0.04, kTop));
+  solids.push_back(BoxFromTo(x, x + length, y, y + width, kTop - 0.04, kTop));
   for (const double lx : {x, x + length - kLeg}) {
     for (const double ly : {y, y + width - kLeg}) {
-      solids.push_back(MakeBox(lx, lx + kLeg, ly, ly + kLeg, 0.0, kTop - 0.04));
+      solids.push_back(BoxFromTo(lx, lx + kLeg, ly, ly + kLeg, 0.0, kTop - 0.04));
     }
   }
 }
@@ -57,15 +57,15 @@ void AddFurniture(std::vector<slam::Box3>& solids) {
   AddTable(solids, 1.6, 4.2, 1.6, 0.8);
   AddTable(solids, 4.0, 2.4, 0.8, 1.6);
   AddTable(solids, 8.4, -5.2, 1.6, 0.8);
-  solids.push_back(MakeBox(1.0, 1.35, 2.0, 3.6, 0.0, 1.9));       // shelf in the left office
-  solids.push_back(MakeBox(5.2, 6.0, 5.6, 6.0, 0.0, 1.2));        // cupboard
-  solids.push_back(MakeBox(11.6, 12.0, -4.0, -2.4, 0.0, 2.1));    // shelf in the right office
-  solids.push_back(MakeBox(7.0, 7.5, -1.9, -1.5, 0.0, 0.8));      // cabinet behind the door
-  solids.push_back(MakeBox(9.6, 9.9, -3.4, -3.1, 0.0, kHeight));  // pillar
-  solids.push_back(MakeBox(2.5, 4.1, 5.88, 6.0, 0.15, 0.75));     // radiators below the windows
-  solids.push_back(MakeBox(8.2, 9.8, -6.0, -5.88, 0.15, 0.75));
-  solids.push_back(MakeBox(3.0, 3.9, -1.0, -0.65, 0.0, 1.1));  // copier in the corridor
-  solids.push_back(MakeBox(11.0, 11.5, 0.8, 1.0, 0.0, 1.8));   // fire cabinet
+  solids.push_back(BoxFromTo(1.0, 1.35, 2.0, 3.6, 0.0, 1.9));       // shelf in the left office
+  solids.push_back(BoxFromTo(5.2, 6.0, 5.6, 6.0, 0.0, 1.2));        // cupboard
+  solids.push_back(BoxFromTo(11.6, 12.0, -4.0, -2.4, 0.0, 2.1));    // shelf in the right office
+  solids.push_back(BoxFromTo(7.0, 7.5, -1.9, -1.5, 0.0, 0.8));      // cabinet behind the door
+  solids.push_back(BoxFromTo(9.6, 9.9, -3.4, -3.1, 0.0, kHeight));  // pillar
+  solids.push_back(BoxFromTo(2.5, 4.1, 5.88, 6.0, 0.15, 0.75));     // radiators below the windows
+  solids.push_back(BoxFromTo(8.2, 9.8, -6.0, -5.88, 0.15, 0.75));
+  solids.push_back(BoxFromTo(3.0, 3.9, -1.0, -0.65, 0.0, 1.1));  // copier in the corridor
+  solids.push_back(BoxFromTo(11.0, 11.5, 0.8, 1.0, 0.0, 1.8));   // fire cabinet
 }
 
 }  // namespace
@@ -84,17 +84,18 @@ BoxWorld MakeOffice() {
   // Corridor x 0..14, y -1..1; left office x 1..6, y 1..6; right office x 7..12, y -6..-1.
   constexpr double kWall = 0.15;
   std::vector<slam::Box3> solids;
-  solids.push_back(MakeBox(-1.0, 15.0, -7.0, 7.0, -0.2, 0.0));               // floor
-  solids.push_back(MakeBox(-1.0, 15.0, -7.0, 7.0, kHeight, kHeight + 0.2));  // ceiling
-  solids.push_back(MakeBox(-kWall, 0.0, -1.0 - kWall, 1.0 + kWall, 0.0, kHeight));
-  solids.push_back(MakeBox(14.0, 14.0 + kWall, -1.0 - kWall, 1.0 + kWall, 0.0, kHeight));
+  solids.push_back(BoxFromTo(-1.0, 15.0, -7.0, 7.0, -0.2, 0.0));               // floor
+  solids.push_back(BoxFromTo(-1.0, 15.0, -7.0, 7.0, kHeight, kHeight + 0.2));  // ceiling
+  solids.push_back(BoxFromTo(-kWall, 0.0, -1.0 - kWall, 1.0 + kWall, 0.0, kHeight));
+  solids.push_back(BoxFromTo(14.0, 14.0 + kWall, -1.0 - kWall, 1.0 + kWall, 0.0, kHeight));
   AddWallWithDoor(solids, 0.0, 14.0, 1.0, 1.0 + kWall, 2.6);
   AddWallWithDoor(solids, 0.0, 14.0, -1.0 - kWall, -1.0, 10.2);
-  for (const double x : {1.0 - kWall, 6.0}) solids.push_back(MakeBox(x, x + kWall, 1.0, 6.0, 0.0, kHeight));
+  for (const double x : {1.0 - kWall, 6.0})
+    solids.push_back(BoxFromTo(x, x + kWall, 1.0, 6.0, 0.0, kHeight));
   for (const double x : {7.0 - kWall, 12.0})
-    solids.push_back(MakeBox(x, x + kWall, -6.0, -1.0, 0.0, kHeight));
-  solids.push_back(MakeBox(0.8, 6.2, 6.0, 6.0 + kWall, 0.0, kHeight));
-  solids.push_back(MakeBox(6.8, 12.2, -6.0 - kWall, -6.0, 0.0, kHeight));
+    solids.push_back(BoxFromTo(x, x + kWall, -6.0, -1.0, 0.0, kHeight));
+  solids.push_back(BoxFromTo(0.8, 6.2, 6.0, 6.0 + kWall, 0.0, kHeight));
+  solids.push_back(BoxFromTo(6.8, 12.2, -6.0 - kWall, -6.0, 0.0, kHeight));
   AddFurniture(solids);
   return {solids};
 }

@@ -8,8 +8,6 @@
 namespace ariadne::drivers {
 namespace {
 
-constexpr Range kPlace{-1e6, 1e6};  // [m]
-
 template <typename Shape>
 Thing MakeOf(YamlFields& fields, double) {
   Shape shape;

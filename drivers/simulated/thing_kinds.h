@@ -9,6 +9,9 @@
 
 namespace ariadne::drivers {
 
+/// Where things may be: a coordinate [m].
+inline constexpr Range kPlace{-1e6, 1e6};
+
 /// How a kind of thing is made of its keys; `height` is that of the world's walls.
 using ThingMaker = std::function<Thing(YamlFields& fields, double height)>;
 

@@ -9,7 +9,6 @@
 namespace ariadne::drivers {
 namespace {
 
-constexpr Range kPlace{-1e6, 1e6};                  // [m]
 constexpr Range kAngle{-360.0, 360.0};              // [deg]
 constexpr std::size_t kMostTriangles = 20'000'000;  // 1 GB; groups of groups grow quickly
 constexpr int kMostThings = 1'000'000;

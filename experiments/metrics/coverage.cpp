@@ -13,8 +13,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::size_t kChunk = 64;   // of samples, each with up to thousands of rays
-constexpr std::size_t kPacket = 32;  // rays at once: the nearest viewpoints mostly decide
+constexpr std::size_t kSamplesPerChunk = 64;  // each with up to thousands of rays
+constexpr std::size_t kPacket = 32;           // rays at once: the nearest viewpoints mostly decide
 
 /// Whether some viewpoint sees a point.
 class Visibility {
@@ -72,7 +72,7 @@ VisibleSurface FindVisibleSurface(const drivers::RayScene& scene,
   const SurfaceSamples samples = SampleSurface(scene.world(), options.density, options.seed);
   const Visibility visibility(scene, viewpoints_world, options);
   std::vector<char> visible(samples.points_world.size());
-  parallel.For(visible.size(), kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+  parallel.For(visible.size(), kSamplesPerChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k) visible[k] = visibility.Sees(samples.points_world[k]) ? 1 : 0;
   });
   VisibleSurface surface;
@@ -95,7 +95,7 @@ Coverage MeasureCoverage(const std::vector<Vector3d>& points_map, const slam::Po
   const slam::KdTree tree(points_map);
   const slam::Pose3 T_map_world = T_world_map.Inverse();
   Coverage coverage;
-  coverage.covered = parallel.Reduce(surface.points_world.size(), kChunk, std::size_t{0},
+  coverage.covered = parallel.Reduce(surface.points_world.size(), kSamplesPerChunk, std::size_t{0},
                                      [&](std::size_t begin, std::size_t end) {
                                        std::size_t covered = 0;
                                        for (std::size_t k = begin; k < end; ++k) {

@@ -7,7 +7,7 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kPointsPerChunk = 4096;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ std::vector<double> SurfaceDistances(const std::vector<Eigen::Vector3d>& points_
                                      const slam::Pose3& T_world_map,
                                      const drivers::SurfaceDistance& surface, const Parallel& parallel) {
   std::vector<double> distances(points_map.size());
-  parallel.For(points_map.size(), kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+  parallel.For(points_map.size(), kPointsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t k = begin; k < end; ++k)
       distances[k] = surface.Closest(T_world_map * points_map[k]).distance;
   });

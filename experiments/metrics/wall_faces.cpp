@@ -14,7 +14,7 @@ namespace {
 
 using drivers::TriangleMesh;
 
-constexpr std::size_t kChunk = 4096;
+constexpr std::size_t kWallPointsPerChunk = 4096;
 
 /// A mesh with what growing faces over it needs.
 struct Neighborhood {
@@ -105,12 +105,13 @@ std::vector<std::uint32_t> AssignToWalls(const std::vector<Eigen::Vector3d>& poi
                                          const WallFaces& walls, const drivers::SurfaceDistance& surface,
                                          double gate, const Parallel& parallel) {
   std::vector<std::uint32_t> assigned(points_world.size(), kNoWall);
-  parallel.For(points_world.size(), kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t k = begin; k < end; ++k) {
-      const drivers::ClosestSurface closest = surface.Closest(points_world[k], gate);
-      if (closest.found()) assigned[k] = walls.face_of[closest.body][closest.triangle];
-    }
-  });
+  parallel.For(points_world.size(), kWallPointsPerChunk,
+               [&](std::size_t begin, std::size_t end, std::size_t) {
+                 for (std::size_t k = begin; k < end; ++k) {
+                   const drivers::ClosestSurface closest = surface.Closest(points_world[k], gate);
+                   if (closest.found()) assigned[k] = walls.face_of[closest.body][closest.triangle];
+                 }
+               });
   return assigned;
 }
 

@@ -9,8 +9,6 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr std::size_t kChunk = 512;
-
 Eigen::Vector3d Centroid(const std::vector<Eigen::Vector3d>& points) {
   Eigen::Vector3d offset = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) offset += p - points.front();
@@ -89,8 +87,8 @@ void AlignProblem::ChooseWeights(const Pose3& T_model_data, bool with_kernel) {
 
 Improvement AlignProblem::FitPoints() const {
   const std::vector<Eigen::Vector3d>& model_points = model_.tree.points();
-  const PairMoments moments =
-      parallel_.Reduce(data_.points.size(), kChunk, PairMoments{}, [&](std::size_t begin, std::size_t end) {
+  const PairMoments moments = parallel_.Reduce(
+      data_.points.size(), kPairsPerChunk, PairMoments{}, [&](std::size_t begin, std::size_t end) {
         PairMoments sum;
         for (std::size_t i = begin; i < end; ++i) {
           const std::uint32_t m = pairs_->model_index[i];

@@ -10,7 +10,7 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr std::size_t kChunk = 256;
+constexpr std::size_t kPointsPerChunk = 256;  // points that share an odometer
 
 // Motion shrinks by a roughly constant factor per iteration; a margin of twice the last motion makes one
 // search serve most of what is left (measured on the hallway: 2 is best, 1 to 5 are close).
@@ -38,8 +38,8 @@ CorrespondenceTracker::CorrespondenceTracker(const KdTree& model, const std::vec
 
 std::vector<CorrespondenceTracker::Chunk> CorrespondenceTracker::MakeChunks() const {
   std::vector<Chunk> chunks;
-  for (std::size_t begin = 0; begin < data_.size(); begin += kChunk) {
-    const std::size_t end = std::min(begin + kChunk, data_.size());
+  for (std::size_t begin = 0; begin < data_.size(); begin += kPointsPerChunk) {
+    const std::size_t end = std::min(begin + kPointsPerChunk, data_.size());
     const Box3 box = BoxAround({data_.begin() + static_cast<std::ptrdiff_t>(begin),
                                 data_.begin() + static_cast<std::ptrdiff_t>(end)});
     chunks.push_back({box.center(), 0.5 * box.diagonal().norm(), 0.0});
@@ -63,8 +63,8 @@ const Correspondences& CorrespondenceTracker::Update(const Pose3& T_model_data, 
   Drive(T_model_data);
   const Eigen::Matrix3d R = T_model_data.RotationMatrix();
   const Sum searched =
-      parallel.Reduce(data_.size(), kChunk, Sum{}, [&](std::size_t begin, std::size_t end) {
-        const double odometer = chunks_[begin / kChunk].odometer;
+      parallel.Reduce(data_.size(), kPointsPerChunk, Sum{}, [&](std::size_t begin, std::size_t end) {
+        const double odometer = chunks_[begin / kPointsPerChunk].odometer;
         Sum searches;
         for (std::size_t i = begin; i < end; ++i) {
           const Eigen::Vector3d p_model = R * data_[i] + T_model_data.translation;

@@ -6,7 +6,6 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr std::size_t kChunk = 512;
 constexpr Eigen::Index kBlock = 1024;  // 24 kB of coordinates
 
 Correspondences Unpaired(std::size_t count) {
@@ -30,7 +29,7 @@ Correspondences FindByBruteForce(const std::vector<Eigen::Vector3d>& model,
   const Eigen::ArrayXd x = points.row(0), y = points.row(1), z = points.row(2);
   Correspondences pairs = Unpaired(data.size());
   const Eigen::Matrix3d R = T_model_data.RotationMatrix();
-  parallel.For(data.size(), kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+  parallel.For(data.size(), kPairsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (Eigen::Index block = 0; block < x.size(); block += kBlock) {
       const Eigen::Index width = std::min(kBlock, x.size() - block);
       const auto bx = x.segment(block, width), by = y.segment(block, width), bz = z.segment(block, width);
@@ -53,7 +52,7 @@ Correspondences FindByKdTree(const KdTree& model, const std::vector<Eigen::Vecto
                              const Pose3& T_model_data, double max_distance, const Parallel& parallel) {
   Correspondences pairs = Unpaired(data.size());
   const Eigen::Matrix3d R = T_model_data.RotationMatrix();
-  parallel.For(data.size(), kChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+  parallel.For(data.size(), kPairsPerChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       Store(model.Nearest(R * data[i] + T_model_data.translation, max_distance), i, pairs);
     }

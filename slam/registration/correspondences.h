@@ -10,6 +10,9 @@
 
 namespace ariadne::slam {
 
+/// Pairs per chunk of the loops over all pairs, and so the order in which their sums are taken.
+inline constexpr std::size_t kPairsPerChunk = 512;
+
 /// For each data point the closest model point (Sec. 3.1), or kNoPoint where none is closer than the gate.
 struct Correspondences {
   std::vector<std::uint32_t> model_index;

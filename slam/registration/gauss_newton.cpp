@@ -5,7 +5,6 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr std::size_t kChunk = 512;
 constexpr double kPlaneThickness = 1e-3;  // k of the plane covariance, as in Segal's generalized ICP
 constexpr double kSingular = 1e-12;       // eigenvalue, relative to the largest, that is rounding only
 
@@ -67,7 +66,7 @@ NormalEquations GatherNormalEquations(const PlaneMetric& metric, const Correspon
                                       const PairWeight& weight, const Parallel& parallel) {
   const Eigen::Matrix3d R_data_model = T_model_data.RotationMatrix().transpose();
   return parallel.Reduce(
-      pairs.model_index.size(), kChunk, NormalEquations{}, [&](std::size_t begin, std::size_t end) {
+      pairs.model_index.size(), kPairsPerChunk, NormalEquations{}, [&](std::size_t begin, std::size_t end) {
         NormalEquations sum;
         for (std::size_t i = begin; i < end; ++i) {
           if (pairs.model_index[i] == kNoPoint) continue;

@@ -17,7 +17,7 @@ namespace {
 
 using slam::Pose2;
 
-const double kTrack = DriveGeometry().track;
+const double kDefaultTrack = DriveGeometry().track;
 
 /// A tick is a millimetre.
 DriveGeometry Millimeters() {
@@ -128,7 +128,7 @@ TEST(WheelOdometry, GrowsTheSlipOfAStraightLineAsInTheTextbook) {
   constexpr int kWay = 4000;  // [mm]
   for (std::uint32_t i = 1; i <= kWay; ++i) odometry.Update({i, i});
   const double way = 0.001 * kWay, q = options.wheel_noise * options.wheel_noise;
-  const double heading = 2.0 * q * way / (kTrack * kTrack);
+  const double heading = 2.0 * q * way / (kDefaultTrack * kDefaultTrack);
   const Eigen::Matrix3d& P = odometry.odometry().covariance;
   EXPECT_NEAR(P(0, 0), 0.5 * q * way, 1e-12);
   EXPECT_NEAR(P(2, 2), heading, 1e-12);
@@ -143,7 +143,7 @@ TEST(WheelOdometry, GrowsTheEffectOfTheRadiiWithTheWay) {
   odometry.Update({});
   for (std::uint32_t i = 1; i <= 2000; ++i) odometry.Update({i, i});
   const double heading_sigma = std::sqrt(odometry.odometry().covariance(2, 2));
-  EXPECT_NEAR(heading_sigma, std::sqrt(2.0) * options.radius_uncertainty * 2.0 / kTrack, 1e-9);
+  EXPECT_NEAR(heading_sigma, std::sqrt(2.0) * options.radius_uncertainty * 2.0 / kDefaultTrack, 1e-9);
 }
 
 TEST(WheelOdometry, GivesTheSameCovarianceForFineAndCoarseSteps) {

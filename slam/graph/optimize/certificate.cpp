@@ -19,9 +19,6 @@ namespace {
 constexpr double kRounding = 1e-15;  // of the scale of the matrix
 constexpr int kMaxShifts = 60;
 
-template <typename Pose>
-constexpr int kD = Pose::Point::RowsAtCompileTime;
-
 /// 1 for the entries of rotations, 0 for those of translations.
 Eigen::VectorXd RotationEntries(const BlockMatrix& S) {
   Eigen::VectorXd entries = Eigen::VectorXd::Ones(S.size());
@@ -43,7 +40,7 @@ class Prover {
       : matrix_(MakeCertificateMatrix(graph)),
         rotations_(RotationEntries(matrix_.S)),
         factor_(matrix_.S),
-        dn_(kD<Pose> * static_cast<double>(graph.nodes.size())) {}
+        dn_(static_cast<double>(Pose::Point::RowsAtCompileTime * graph.nodes.size())) {}
 
   /// The shift by which the bound falls short of the objective by `gap`, or what rounding asks for.
   double ShiftOfGap(double gap) const { return std::max(gap / dn_, kRounding * matrix_.scale); }

@@ -28,7 +28,7 @@ Scan TakeExact(const World& world, const Pose3& T_map_base, const AisScannerOpti
   return TakeAisScan(RayScene(world), T_map_base, start_time, options, 1, 0, Parallel(2));
 }
 
-Pose3 At(double x) { return {Eigen::Quaterniond::Identity(), {x, 0.0, 0.0}}; }
+Pose3 AtX(double x) { return {Eigen::Quaterniond::Identity(), {x, 0.0, 0.0}}; }
 
 /// How far a point is from the nearest of a box's six planes [m].
 double DistanceToPlanes(const slam::Box3& box, const Eigen::Vector3d& p) {
@@ -102,7 +102,7 @@ TEST(AisScan, GivesEachBeamThePitchOfItsTime) {
 TEST(AisScan, SeesAMovingBodyWhereItIsAtThatTime) {
   World world = EmptyRoom({-20, -20, 0}, {20, 20, 20});
   Body door = BoxBody("door", {0.0, -10.0, 0.0}, {0.1, 10.0, 20.0});
-  door.motion = {{5.0, 9.0}, {At(3.0), At(7.0)}};
+  door.motion = {{5.0, 9.0}, {AtX(3.0), AtX(7.0)}};
   world.bodies.push_back(door);
   const AisScannerOptions options = Exact();
   const Scan scan = TakeExact(world, {}, options, 5.0);

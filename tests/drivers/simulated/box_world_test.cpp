@@ -22,24 +22,25 @@ BoxWorld CubeBeforeWall() {
            slam::Box3(Vector3d(5, -9, -9), Vector3d(6, 9, 9))}};
 }
 
-auto At(double distance) { return Optional(DoubleNear(distance, 1e-15)); }
+auto HitAt(double distance) { return Optional(DoubleNear(distance, 1e-15)); }
 
 TEST(CastRay, HitsTheNearestSurface) {
   const BoxWorld world = CubeBeforeWall();
-  EXPECT_THAT(CastRay(world, {0.0, 1.5, 1.5}, Vector3d::UnitX()), At(1.0)) << "the cube is before the wall";
-  EXPECT_THAT(CastRay(world, {3.0, 1.5, 1.5}, Vector3d::UnitX()), At(2.0));
-  EXPECT_THAT(CastRay(world, {3.0, 1.5, 1.5}, -Vector3d::UnitX()), At(1.0));
-  EXPECT_THAT(CastRay(world, {9.0, 1.5, 1.5}, -Vector3d::UnitX()), At(3.0));
-  EXPECT_THAT(CastRay(world, {1.5, -3.0, 1.5}, Vector3d::UnitY()), At(4.0));
-  EXPECT_THAT(CastRay(world, {1.5, 1.5, 4.0}, -Vector3d::UnitZ()), At(2.0));
+  EXPECT_THAT(CastRay(world, {0.0, 1.5, 1.5}, Vector3d::UnitX()), HitAt(1.0))
+      << "the cube is before the wall";
+  EXPECT_THAT(CastRay(world, {3.0, 1.5, 1.5}, Vector3d::UnitX()), HitAt(2.0));
+  EXPECT_THAT(CastRay(world, {3.0, 1.5, 1.5}, -Vector3d::UnitX()), HitAt(1.0));
+  EXPECT_THAT(CastRay(world, {9.0, 1.5, 1.5}, -Vector3d::UnitX()), HitAt(3.0));
+  EXPECT_THAT(CastRay(world, {1.5, -3.0, 1.5}, Vector3d::UnitY()), HitAt(4.0));
+  EXPECT_THAT(CastRay(world, {1.5, 1.5, 4.0}, -Vector3d::UnitZ()), HitAt(2.0));
 }
 
 TEST(CastRay, HitsObliquely) {
   const BoxWorld world = CubeBeforeWall();
-  EXPECT_THAT(CastRay(world, Vector3d::Zero(), Vector3d(1, 1, 1).normalized()), At(std::numbers::sqrt3));
-  EXPECT_THAT(CastRay(world, {0.0, 1.5, 1.5}, Vector3d(4, -3, 0) / 5), At(6.25))
+  EXPECT_THAT(CastRay(world, Vector3d::Zero(), Vector3d(1, 1, 1).normalized()), HitAt(std::numbers::sqrt3));
+  EXPECT_THAT(CastRay(world, {0.0, 1.5, 1.5}, Vector3d(4, -3, 0) / 5), HitAt(6.25))
       << "past the cube, to the wall";
-  EXPECT_THAT(CastRay(world, {0.0, 0.5, 1.5}, Vector3d(4, 3, 0) / 5), At(1.25));
+  EXPECT_THAT(CastRay(world, {0.0, 0.5, 1.5}, Vector3d(4, 3, 0) / 5), HitAt(1.25));
 }
 
 TEST(CastRay, MissesWhatIsBesideOrBehind) {
@@ -52,10 +53,10 @@ TEST(CastRay, MissesWhatIsBesideOrBehind) {
 
 TEST(CastRay, TakesARayInThePlaneOfAFace) {
   const BoxWorld world = CubeBeforeWall();
-  EXPECT_THAT(CastRay(world, {0.0, 1.0, 1.5}, Vector3d::UnitX()), At(1.0)) << "a box is closed";
-  EXPECT_THAT(CastRay(world, {0.0, 2.0, 2.0}, Vector3d::UnitX()), At(1.0)) << "along an edge";
-  EXPECT_THAT(CastRay(world, {0.0, 0.999, 1.5}, Vector3d::UnitX()), At(5.0));
-  EXPECT_THAT(CastRay(world, {0.0, 1.5, 1.5}, Vector3d(1.0, -0.0, 0.0)), At(1.0)) << "negative zero";
+  EXPECT_THAT(CastRay(world, {0.0, 1.0, 1.5}, Vector3d::UnitX()), HitAt(1.0)) << "a box is closed";
+  EXPECT_THAT(CastRay(world, {0.0, 2.0, 2.0}, Vector3d::UnitX()), HitAt(1.0)) << "along an edge";
+  EXPECT_THAT(CastRay(world, {0.0, 0.999, 1.5}, Vector3d::UnitX()), HitAt(5.0));
+  EXPECT_THAT(CastRay(world, {0.0, 1.5, 1.5}, Vector3d(1.0, -0.0, 0.0)), HitAt(1.0)) << "negative zero";
 }
 
 /// Whether the robot can be at a place: nothing is within its radius between the floor and 2 m.
@@ -105,12 +106,13 @@ TEST(MakeOffice, IsClosed) {
 
 TEST(MakeOffice, HasTheHeightAndTheDoorsThatItSays) {
   const BoxWorld office = MakeOffice();
-  EXPECT_THAT(CastRay(office, {7.0, 0.0, 1.0}, Vector3d::UnitZ()), At(1.7));
-  EXPECT_THAT(CastRay(office, {7.0, 0.0, 1.0}, -Vector3d::UnitZ()), At(1.0));
-  EXPECT_THAT(CastRay(office, {7.0, 0.0, 1.0}, Vector3d::UnitY()), At(1.0));
-  EXPECT_THAT(CastRay(office, {3.1, 0.0, 1.2}, Vector3d::UnitY()), At(6.0)) << "through the left door";
-  EXPECT_THAT(CastRay(office, {3.1, 0.0, 2.1}, Vector3d::UnitY()), At(1.0)) << "the lintel above it";
-  EXPECT_THAT(CastRay(office, {10.7, 0.0, 1.2}, -Vector3d::UnitY()), At(6.0)) << "through the right door";
+  EXPECT_THAT(CastRay(office, {7.0, 0.0, 1.0}, Vector3d::UnitZ()), HitAt(1.7));
+  EXPECT_THAT(CastRay(office, {7.0, 0.0, 1.0}, -Vector3d::UnitZ()), HitAt(1.0));
+  EXPECT_THAT(CastRay(office, {7.0, 0.0, 1.0}, Vector3d::UnitY()), HitAt(1.0));
+  EXPECT_THAT(CastRay(office, {3.1, 0.0, 1.2}, Vector3d::UnitY()), HitAt(6.0)) << "through the left door";
+  EXPECT_THAT(CastRay(office, {3.1, 0.0, 2.1}, Vector3d::UnitY()), HitAt(1.0)) << "the lintel above it";
+  EXPECT_THAT(CastRay(office, {10.7, 0.0, 1.2}, -Vector3d::UnitY()), HitAt(6.0))
+      << "through the right door";
 }
 
 }  // namespace

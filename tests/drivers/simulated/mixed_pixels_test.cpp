@@ -9,13 +9,13 @@
 namespace ariadne::drivers {
 namespace {
 
-constexpr double kStep = 0.25;         // from the pillar to the wall behind it: within a pulse [m]
+constexpr double kDepth = 0.25;        // from the pillar to the wall behind it: within a pulse [m]
 constexpr double kHalfWidth = 0.1834;  // of the pillar: beams 3 deg aside hit its edges [m]
 
 /// A wall 4 m ahead of the base, and before it, at its middle, a pillar.
 World WallWithPillar() {
   World world = EmptyRoom({-4, -4, 0}, {4, 4, 3});
-  world.bodies.push_back(BoxBody("pillar", {4.0 - kStep, -kHalfWidth, 0.0}, {4.0, kHalfWidth, 3.0}));
+  world.bodies.push_back(BoxBody("pillar", {4.0 - kDepth, -kHalfWidth, 0.0}, {4.0, kHalfWidth, 3.0}));
   return world;
 }
 
@@ -26,7 +26,7 @@ AisScannerOptions OnlyMixedPixels() {
   return options;
 }
 
-slam::Scan Take(const World& world, const AisScannerOptions& options) {
+slam::Scan TakeAtStart(const World& world, const AisScannerOptions& options) {
   return TakeAisScan(RayScene(world), {}, 0.0, options, 1, 0, Parallel(2));
 }
 
@@ -51,7 +51,8 @@ TEST(MixedPixels, AppearOnlyAtEdges) {
   AisScannerOptions exact = options;
   exact.range_finder.mixed_pixels = false;
   const RayScene scene(WallWithPillar());
-  const slam::Scan mixed = Take(WallWithPillar(), options), truth = Take(WallWithPillar(), exact);
+  const slam::Scan mixed = TakeAtStart(WallWithPillar(), options),
+                   truth = TakeAtStart(WallWithPillar(), exact);
   std::size_t at_edges = 0;
   for (std::size_t s = 0; s < mixed.sweeps.size(); ++s) {
     const slam::LaserSweep& slice = mixed.sweeps[s];
@@ -62,7 +63,7 @@ TEST(MixedPixels, AppearOnlyAtEdges) {
       // Twice the curvature of the most slanted surface in the cone is what is left on a plane.
       if (error < 2e-4 * truth.sweeps[s].ranges[b]) continue;
       EXPECT_GT(SpreadOf(scene, beams[b], options.range_finder.divergence), error);
-      at_edges += error > 0.1 * kStep;
+      at_edges += error > 0.1 * kDepth;
     }
   }
   EXPECT_GT(at_edges, 20u) << "each edge of the pillar, in some slices";
@@ -71,13 +72,13 @@ TEST(MixedPixels, AppearOnlyAtEdges) {
 
 TEST(MixedPixels, LieBetweenTheSurfaces) {
   const AisScannerOptions options = OnlyMixedPixels();
-  const slam::Scan scan = Take(WallWithPillar(), options);
+  const slam::Scan scan = TakeAtStart(WallWithPillar(), options);
   std::size_t between = 0;
   for (const Eigen::Vector3d& p : slam::ToPointCloud(scan).positions) {
     const double x = p.x() + options.mount_x;
     EXPECT_LT(x, 4.001);
     const bool level = std::abs(p.z()) < 0.5 && std::abs(p.y()) < 0.4;
-    between += level && x > 0.5 && x > 4.0 - 0.9 * kStep && x < 4.0 - 0.1 * kStep &&
+    between += level && x > 0.5 && x > 4.0 - 0.9 * kDepth && x < 4.0 - 0.1 * kDepth &&
                std::abs(std::abs(p.y()) - kHalfWidth) < 0.03;
   }
   EXPECT_GT(between, 10u);
@@ -85,14 +86,14 @@ TEST(MixedPixels, LieBetweenTheSurfaces) {
 
 TEST(MixedPixels, NeedSurfacesWithinAPulse) {
   AisScannerOptions options = OnlyMixedPixels();
-  options.range_finder.pulse_length = 0.5 * kStep;
-  const slam::Scan scan = Take(WallWithPillar(), options);
+  options.range_finder.pulse_length = 0.5 * kDepth;
+  const slam::Scan scan = TakeAtStart(WallWithPillar(), options);
   for (const Eigen::Vector3d& p : slam::ToPointCloud(scan).positions) {
     const double x = p.x() + options.mount_x;
     const bool on_side = std::abs(std::abs(p.y()) - kHalfWidth) < 1e-3;
     const bool level = std::abs(p.z()) < 0.5 && std::abs(p.y()) < 1.0 && p.x() > 0.0;
     if (!level || on_side) continue;
-    EXPECT_TRUE(std::abs(x - 4.0) < 1e-3 || std::abs(x - 4.0 + kStep) < 1e-3) << x;
+    EXPECT_TRUE(std::abs(x - 4.0) < 1e-3 || std::abs(x - 4.0 + kDepth) < 1e-3) << x;
   }
 }
 

@@ -14,6 +14,7 @@
 #include "drivers/simulated/solids.h"
 #include "slam/base/error.h"
 #include "slam/base/random.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -31,13 +32,8 @@ constexpr const char* kTwoRooms = R"({"name": "two rooms", "unit": "m", "start":
   "spaces": [{"label": "office", "polygon": [[0, 0], [4, 0], [4, 3], [0, 3]]},
              {"label": "office", "polygon": [[4, 0], [8, 0], [8, 3], [4, 3]]}]})";
 
-std::string ErrorOf(const std::string& text, const PlanOptions& options = {}) {
-  try {
-    ParsePlan(text, "plan.json", options);
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
+std::string ErrorOfPlan(const std::string& text, const PlanOptions& options = {}) {
+  return ErrorOf([&] { ParsePlan(text, "plan.json", options); });
 }
 
 TEST(MergeWalls, DropsRepetitionsAndJoinsPieces) {
@@ -109,26 +105,26 @@ TEST(ParsePlan, FurnishesBySeed) {
 }
 
 TEST(ParsePlan, NamesFileAndPlaceOfWhatIsWrong) {
-  EXPECT_THAT(ErrorOf("{\n \"start\": [1, 2],,}"), HasSubstr("plan.json:2:18: not valid JSON"));
-  EXPECT_THAT(ErrorOf(""), HasSubstr("plan.json:1:1: not valid JSON"));
-  EXPECT_THAT(ErrorOf("[]"), HasSubstr("a floor plan is a JSON object"));
-  EXPECT_THAT(ErrorOf("{\"walls\": []}"), HasSubstr("the key \"start\" is missing"));
-  EXPECT_THAT(ErrorOf(R"({"start": [0, 0], "walls": []})"), HasSubstr("has no walls"));
-  EXPECT_THAT(ErrorOf(R"({"start": [0, 0], "walls": {}})"),
+  EXPECT_THAT(ErrorOfPlan("{\n \"start\": [1, 2],,}"), HasSubstr("plan.json:2:18: not valid JSON"));
+  EXPECT_THAT(ErrorOfPlan(""), HasSubstr("plan.json:1:1: not valid JSON"));
+  EXPECT_THAT(ErrorOfPlan("[]"), HasSubstr("a floor plan is a JSON object"));
+  EXPECT_THAT(ErrorOfPlan("{\"walls\": []}"), HasSubstr("the key \"start\" is missing"));
+  EXPECT_THAT(ErrorOfPlan(R"({"start": [0, 0], "walls": []})"), HasSubstr("has no walls"));
+  EXPECT_THAT(ErrorOfPlan(R"({"start": [0, 0], "walls": {}})"),
               HasSubstr("\"walls\" must be array, not object"));
-  EXPECT_THAT(ErrorOf(R"({"start": [0, 0], "walls": [[0, 0, 1, 0], [0, 0, 1]]})"),
+  EXPECT_THAT(ErrorOfPlan(R"({"start": [0, 0], "walls": [[0, 0, 1, 0], [0, 0, 1]]})"),
               HasSubstr("walls[1] needs 4 numbers"));
-  EXPECT_THAT(ErrorOf(R"({"start": [0, 0], "walls": [[0, 0, 1, "a"]]})"),
+  EXPECT_THAT(ErrorOfPlan(R"({"start": [0, 0], "walls": [[0, 0, 1, "a"]]})"),
               HasSubstr("walls[0] needs 4 numbers, but one is string"));
-  EXPECT_THAT(ErrorOf(R"({"start": [0, 1e300], "walls": [[0, 0, 1, 0]]})"),
+  EXPECT_THAT(ErrorOfPlan(R"({"start": [0, 1e300], "walls": [[0, 0, 1, 0]]})"),
               HasSubstr("start is 1e+300 m away"));
-  EXPECT_THAT(ErrorOf(R"({"unit": "ft", "start": [0, 0], "walls": []})"),
+  EXPECT_THAT(ErrorOfPlan(R"({"unit": "ft", "start": [0, 0], "walls": []})"),
               HasSubstr("unit of a floor plan is \"m\", not \"ft\""));
-  EXPECT_THAT(ErrorOf(R"({"start": [0, 0], "walls": [[0, 0, 1, 0]], "spaces": [{}]})"),
+  EXPECT_THAT(ErrorOfPlan(R"({"start": [0, 0], "walls": [[0, 0, 1, 0]], "spaces": [{}]})"),
               HasSubstr("spaces[0] needs a polygon"));
   PlanOptions options;
   options.thickness = -1.0;
-  EXPECT_THAT(ErrorOf(kTwoRooms, options), HasSubstr("plan.thickness is -1 m"));
+  EXPECT_THAT(ErrorOfPlan(kTwoRooms, options), HasSubstr("plan.thickness is -1 m"));
 }
 
 TEST(ParsePlan, SurvivesDamagedFiles) {

@@ -7,7 +7,7 @@
 namespace ariadne::drivers {
 namespace {
 
-SystematicError ErrorOf(const RangeFinderOptions& options, std::uint64_t seed) {
+SystematicError SystematicErrorOf(const RangeFinderOptions& options, std::uint64_t seed) {
   return SystematicError(options, NamedStream(seed, "range_errors_test"));
 }
 
@@ -49,7 +49,7 @@ TEST(SystematicError, StaysWithinItsLimitAndIsSmooth) {
   const RangeFinderOptions options;
   double largest = 0.0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const SystematicError error = ErrorOf(options, seed);
+    const SystematicError error = SystematicErrorOf(options, seed);
     for (double range = 0.0; range < 90.0; range += 0.01) {
       largest = std::max(largest, std::abs(error.At(range)));
       EXPECT_LT(std::abs(error.At(range + 0.01) - error.At(range)), 3e-4) << "at " << range;
@@ -62,17 +62,17 @@ TEST(SystematicError, StaysWithinItsLimitAndIsSmooth) {
 TEST(SystematicError, IsConstantIfAsked) {
   RangeFinderOptions options;
   options.systematic_shape = SystematicShape::kConstant;
-  const SystematicError error = ErrorOf(options, 3);
+  const SystematicError error = SystematicErrorOf(options, 3);
   EXPECT_NE(error.At(1.0), 0.0);
   EXPECT_EQ(error.At(1.0), error.At(50.0));
 }
 
 TEST(SystematicError, BelongsToTheDeviceAndCanBeSwitchedOff) {
   RangeFinderOptions options;
-  EXPECT_EQ(ErrorOf(options, 3).At(5.0), ErrorOf(options, 3).At(5.0));
-  EXPECT_NE(ErrorOf(options, 3).At(5.0), ErrorOf(options, 4).At(5.0));
+  EXPECT_EQ(SystematicErrorOf(options, 3).At(5.0), SystematicErrorOf(options, 3).At(5.0));
+  EXPECT_NE(SystematicErrorOf(options, 3).At(5.0), SystematicErrorOf(options, 4).At(5.0));
   options.systematic = false;
-  EXPECT_EQ(ErrorOf(options, 3).At(5.0), 0.0);
+  EXPECT_EQ(SystematicErrorOf(options, 3).At(5.0), 0.0);
 }
 
 TEST(SystematicError, IsUniformOverDevices) {
@@ -81,7 +81,7 @@ TEST(SystematicError, IsUniformOverDevices) {
   double sum = 0.0, squares = 0.0;
   constexpr int kDevices = 2000;
   for (std::uint64_t seed = 0; seed < kDevices; ++seed) {
-    const double e = ErrorOf(options, seed).At(1.0) / options.systematic_limit;
+    const double e = SystematicErrorOf(options, seed).At(1.0) / options.systematic_limit;
     sum += e;
     squares += e * e;
   }

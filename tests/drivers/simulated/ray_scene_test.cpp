@@ -8,6 +8,7 @@
 
 #include "slam/base/error.h"
 #include "slam/base/random.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -18,12 +19,12 @@ using testing::HasSubstr;
 /// A rectangle at x = 0 of the body's frame, 2 x 2 m around the origin.
 TriangleMesh Plate() { return {{{0, -1, -1}, {0, 1, -1}, {0, 1, 1}, {0, -1, 1}}, {{0, 1, 2}, {0, 2, 3}}}; }
 
-Motion Standing(const Vector3d& place) {
+Motion StandingAt(const Vector3d& place) {
   return {{0.0}, {slam::Pose3{Eigen::Quaterniond::Identity(), place}}};
 }
 
 Body PlateAt(const Vector3d& place, double reflectance = 0.6) {
-  return {"plate", Plate(), {reflectance}, Standing(place)};
+  return {"plate", Plate(), {reflectance}, StandingAt(place)};
 }
 
 Vector3d DrawDirection(RandomStream& stream) {
@@ -229,27 +230,22 @@ TEST(RayScene, CanBeMoved) {
   EXPECT_EQ(second.Cast({Vector3d::Zero(), Vector3d::UnitX()}).distance, 5.0);
 }
 
-std::string ErrorOf(const Body& body) {
-  try {
-    const RayScene scene({"damaged", {body}, {}});
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "";
+std::string ErrorOfBody(const Body& body) {
+  return ErrorOf([&] { RayScene({"damaged", {body}, {}}); });
 }
 
 TEST(RayScene, RefusesDamagedBodies) {
   Body body = PlateAt({0, 0, 0});
   body.mesh_body.triangles[1] = {0, 1, 4};
-  EXPECT_THAT(ErrorOf(body), HasSubstr("plate: a triangle names vertex 4, but there are 4"));
+  EXPECT_THAT(ErrorOfBody(body), HasSubstr("plate: a triangle names vertex 4, but there are 4"));
   body = PlateAt({0, 0, 0});
   body.mesh_body.vertices[2].y() = std::nan("");
-  EXPECT_THAT(ErrorOf(body), HasSubstr("plate: a vertex is not finite"));
+  EXPECT_THAT(ErrorOfBody(body), HasSubstr("plate: a vertex is not finite"));
   body = PlateAt({0, 0, 0});
   body.motion.times = {1.0, 1.0};
-  EXPECT_THAT(ErrorOf(body), HasSubstr("2 times, but 1 poses"));
+  EXPECT_THAT(ErrorOfBody(body), HasSubstr("2 times, but 1 poses"));
   body.motion.T_map_body.push_back({});
-  EXPECT_THAT(ErrorOf(body), HasSubstr("must ascend, but 1 s follows 1 s"));
+  EXPECT_THAT(ErrorOfBody(body), HasSubstr("must ascend, but 1 s follows 1 s"));
   std::vector<Hit> none;
   const std::vector<Ray> one(1);
   EXPECT_THROW(RayScene({"empty", {}, {}}).Cast(one, none), Error);

@@ -10,7 +10,7 @@
 namespace ariadne::drivers {
 namespace {
 
-SafetyScannerOptions Exact() {
+SafetyScannerOptions ExactSafety() {
   SafetyScannerOptions options;
   options.range_finder = WithoutErrors(options.range_finder);
   return options;
@@ -18,7 +18,7 @@ SafetyScannerOptions Exact() {
 
 TEST(SafetySweeps, LookAheadAndBack) {
   const RayScene scene(EmptyRoom({-3, -2, 0}, {5, 4, 3}));
-  const auto sweeps = TakeSafetySweeps(scene, Standing({}), 3.0, Exact(), 1, 0);
+  const auto sweeps = TakeSafetySweeps(scene, Standing({}), 3.0, ExactSafety(), 1, 0);
   ASSERT_EQ(sweeps.size(), 2u);
   const auto& front = sweeps[0].sweep.ranges;
   const auto& rear = sweeps[1].sweep.ranges;
@@ -36,12 +36,12 @@ TEST(SafetySweeps, SayWhereTheirPointsAre) {
   const slam::Box3 room(Eigen::Vector3d(-3, -2, 0), Eigen::Vector3d(5, 4, 3));
   const slam::Pose3 T_map_base = slam::ToPose3(slam::Pose2{0.4, {0.5, 0.3}});
   const auto sweeps = TakeSafetySweeps(RayScene(EmptyRoom(room.min(), room.max())), Standing(T_map_base),
-                                       0.0, Exact(), 1, 0);
+                                       0.0, ExactSafety(), 1, 0);
   for (const SafetySweep& s : sweeps) {
     for (std::size_t b = 0; b < s.sweep.ranges.size(); ++b) {
       const Eigen::Vector3d p_laser = s.sweep.ranges[b] * slam::BeamDirection(s.scanner, b, 0.0);
       const Eigen::Vector3d p = T_map_base * (s.T_base_laser * p_laser);
-      EXPECT_NEAR(p.z(), Exact().height, 1e-9);
+      EXPECT_NEAR(p.z(), ExactSafety().height, 1e-9);
       const Eigen::Vector2d off_min = (p - room.min()).head<2>().cwiseAbs();
       const Eigen::Vector2d off_max = (room.max() - p).head<2>().cwiseAbs();
       EXPECT_LT(std::min(off_min.minCoeff(), off_max.minCoeff()), 1e-5);

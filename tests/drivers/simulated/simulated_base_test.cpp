@@ -16,7 +16,7 @@ namespace {
 
 using slam::Pose2;
 
-SimulatedBaseOptions WithoutErrors() {
+SimulatedBaseOptions BaseWithoutErrors() {
   SimulatedBaseOptions options;
   options.wheels.radius_spread = options.wheels.track_spread = options.wheels.slip = 0.0;
   return options;
@@ -64,7 +64,7 @@ TEST(SimulatedBase, StandsAtTheStartOfTheWorld) {
 }
 
 TEST(SimulatedBase, DrivesACircle) {
-  SimulatedBase base(kEmpty, WithoutErrors(), 1);
+  SimulatedBase base(kEmpty, BaseWithoutErrors(), 1);
   DriveFor(base, {0.4, 0.2}, 2.0 * std::numbers::pi / 0.2);  // radius 2 m
   base.Halt();
   const double late = 0.4 * 0.4 / 0.5;  // the speeds do not grow at the same time: not quite a circle
@@ -75,7 +75,7 @@ TEST(SimulatedBase, DrivesACircle) {
 }
 
 TEST(SimulatedBase, HaltsWithinTheBrakingDistance) {
-  SimulatedBase base(kEmpty, WithoutErrors(), 1);
+  SimulatedBase base(kEmpty, BaseWithoutErrors(), 1);
   DriveFor(base, {0.8, 0.0}, 5.0);
   const double before = base.T_map_base_true().translation.x();
   EXPECT_EQ(base.State().velocity.forward, 0.8);
@@ -103,7 +103,7 @@ TEST(SimulatedBase, RepeatsEveryBit) {
 }
 
 TEST(SimulatedBase, IsStoppedByAWall) {
-  SimulatedBase base(kWall, WithoutErrors(), 1);
+  SimulatedBase base(kWall, BaseWithoutErrors(), 1);
   DriveFor(base, {0.5, 0.0}, 10.0);
   EXPECT_NEAR(base.T_map_base_true().translation.x(), 1.6, 1e-5);
   EXPECT_LE(base.T_map_base_true().translation.x(), 1.6);
@@ -127,7 +127,7 @@ TEST(SimulatedBase, CountsPushingOnOnceAndComingBackAgain) {
 TEST(SimulatedBase, CannotTurnItsCornersIntoAWall) {
   World world = Wall();
   world.T_map_start = {0.0, {1.59, 0.0}};
-  SimulatedBase base(world, WithoutErrors(), 1);
+  SimulatedBase base(world, BaseWithoutErrors(), 1);
   DriveFor(base, {0.0, 0.5}, 3.0);
   EXPECT_EQ(base.collisions(), 1);
   EXPECT_LT(base.T_map_base_true().angle, 0.1);
@@ -141,7 +141,7 @@ TEST(SimulatedBase, FitsThroughADoorThatIsWideEnough) {
     world.bodies.push_back(BoxBody("left", {1.0, 0.5 * opening, 0.0}, {1.1, 3.0, 2.0}));
     world.bodies.push_back(BoxBody("right", {1.0, -3.0, 0.0}, {1.1, -0.5 * opening, 2.0}));
     world.bodies.push_back(BoxBody("lintel", {1.0, -3.0, 2.0}, {1.1, 3.0, 2.7}));
-    SimulatedBase base(world, WithoutErrors(), 1);
+    SimulatedBase base(world, BaseWithoutErrors(), 1);
     DriveFor(base, {0.5, 0.0}, 8.0);
     EXPECT_EQ(base.collisions() == 0, crossed);
     EXPECT_EQ(base.T_map_base_true().translation.x() > 3.0, crossed);
@@ -165,7 +165,7 @@ TEST(SimulatedBase, NeverEntersWhatStands) {
 }
 
 TEST(SimulatedBase, GetsAwayFromWhatWalkedIntoIt) {
-  SimulatedBase base(kWalkingPost, WithoutErrors(), 1);
+  SimulatedBase base(kWalkingPost, BaseWithoutErrors(), 1);
   base.WaitUntil(4.7);  // the post is at 0.3 m, 0.3 m deep in the robot
   EXPECT_EQ(base.collisions(), 0) << "it stood";
   DriveFor(base, {0.3, 0.0}, 0.2);
@@ -193,7 +193,7 @@ TEST(SimulatedBase, RefusesToWaitForever) {
 }
 
 TEST(SimulatedBase, KnowsItsPast) {
-  SimulatedBase base(kEmpty, WithoutErrors(), 1);
+  SimulatedBase base(kEmpty, BaseWithoutErrors(), 1);
   base.WaitUntil(1.0);
   DriveFor(base, {0.5, 0.0}, 4.0);
   const auto x_at = [](const Motion& way, double time) { return PoseAt(way, time).translation.x(); };

@@ -22,7 +22,7 @@ SimulatedRobotOptions Small() {
   return options;
 }
 
-SimulatedRobotOptions WithoutErrors() {
+SimulatedRobotOptions RobotWithoutErrors() {
   SimulatedRobotOptions options = Small();
   options.base.wheels.radius_spread = options.base.wheels.track_spread = options.base.wheels.slip = 0.0;
   options.ais.range_finder = WithoutErrors(options.ais.range_finder);
@@ -40,7 +40,7 @@ World RoomWithWalker(double from_time, double to_time) {
   return world;
 }
 
-void Append(std::string& bytes, const slam::LaserSweep& sweep) {
+void AppendBytes(std::string& bytes, const slam::LaserSweep& sweep) {
   const auto add = [&](const void* data, std::size_t size) {
     bytes.append(static_cast<const char*>(data), size);
   };
@@ -53,11 +53,11 @@ void Append(std::string& bytes, const slam::LaserSweep& sweep) {
 std::string BytesOfAMission(Robot& robot) {
   std::string bytes;
   for (int stop = 0; stop < 2; ++stop) {
-    for (const slam::LaserSweep& sweep : robot.TakeScan().sweeps) Append(bytes, sweep);
+    for (const slam::LaserSweep& sweep : robot.TakeScan().sweeps) AppendBytes(bytes, sweep);
     robot.Drive({0.5, 0.3});
     robot.WaitUntil(robot.Now() + 1.0);
-    Append(bytes, robot.TakeSweep());
-    for (const SafetySweep& safety : robot.TakeSafetySweeps()) Append(bytes, safety.sweep);
+    AppendBytes(bytes, robot.TakeSweep());
+    for (const SafetySweep& safety : robot.TakeSafetySweeps()) AppendBytes(bytes, safety.sweep);
     const slam::Odometry odometry = robot.State().odometry;
     bytes.append(reinterpret_cast<const char*>(odometry.covariance.data()), 9 * sizeof(double));
     bytes.append(reinterpret_cast<const char*>(odometry.T_odom_base.translation.data()),
@@ -90,7 +90,7 @@ TEST(SimulatedRobot, StandsWhileItScans) {
 }
 
 TEST(SimulatedRobot, SeesTheWorldFromWhereItTrulyIs) {
-  SimulatedRobot robot(SceneOf(EmptyRoom({-4, -3, 0}, {4, 3, 2.7})), WithoutErrors(), 1);
+  SimulatedRobot robot(SceneOf(EmptyRoom({-4, -3, 0}, {4, 3, 2.7})), RobotWithoutErrors(), 1);
   robot.Drive({0.5, 0.1});
   robot.WaitUntil(3.0);
   const slam::Scan scan = robot.TakeScan();
@@ -104,7 +104,7 @@ TEST(SimulatedRobot, SeesTheWorldFromWhereItTrulyIs) {
 }
 
 TEST(SimulatedRobot, SweepsOnItsWay) {
-  SimulatedRobot robot(SceneOf(EmptyRoom({-4, -3, 0}, {4, 3, 2.7})), WithoutErrors(), 1);
+  SimulatedRobot robot(SceneOf(EmptyRoom({-4, -3, 0}, {4, 3, 2.7})), RobotWithoutErrors(), 1);
   robot.Drive({0.8, 0.0});
   robot.WaitUntil(3.0);
   const slam::LaserSweep sweep = robot.TakeSweep();
@@ -117,7 +117,7 @@ TEST(SimulatedRobot, SweepsOnItsWay) {
 }
 
 TEST(SimulatedRobot, LooksAheadAndBack) {
-  SimulatedRobot robot(SceneOf(EmptyRoom({-4, -3, 0}, {4, 3, 2.7})), WithoutErrors(), 1);
+  SimulatedRobot robot(SceneOf(EmptyRoom({-4, -3, 0}, {4, 3, 2.7})), RobotWithoutErrors(), 1);
   robot.WaitUntil(1.0);
   const auto sweeps = robot.TakeSafetySweeps();
   ASSERT_EQ(sweeps.size(), 2u);
@@ -161,7 +161,7 @@ TEST(SimulatedRobot, GivesTheSameBytesWithOneThreadAndWithTwo) {
 
 TEST(SimulatedRobot, DrivesTheSameWayWhateverItsScannersDo) {
   const auto scene = SceneOf(FurnishedRoom());
-  SimulatedRobotOptions blind = WithoutErrors();
+  SimulatedRobotOptions blind = RobotWithoutErrors();
   blind.base = {};
   SimulatedRobot one(scene, Small(), 3), other(scene, blind, 3);
   for (SimulatedRobot* robot : {&one, &other}) BytesOfAMission(*robot);

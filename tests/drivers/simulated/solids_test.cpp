@@ -12,10 +12,10 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Of the polygon that approximates a circle, as a share of the circle's.
-double AreaShare(int sides) { return std::sin(2.0 * kPi / sides) * sides / (2.0 * kPi); }
+double AreaShare(int sides) { return std::sin(2.0 * pi / sides) * sides / (2.0 * pi); }
 
 TEST(MakeBox, IsClosedAndFull) {
   const TriangleMesh box = MakeBox(slam::Box3(Vector3d(1, 2, 3), Vector3d(2, 4, 7)));
@@ -39,7 +39,7 @@ TEST(MakePrism, TakesStarsAndCornersOnStraightLines) {
     std::vector<Vector2d> star;
     double area = 0.0;
     for (int i = 0; i < 23; ++i) {
-      const double angle = 2.0 * kPi * i / 23, radius = DrawUniform(stream, 0.3, 3.0);
+      const double angle = 2.0 * pi * i / 23, radius = DrawUniform(stream, 0.3, 3.0);
       star.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     for (std::size_t i = 0; i < star.size(); ++i) {
@@ -64,22 +64,22 @@ TEST(MakePrism, RefusesWhatIsNoSolid) {
 TEST(MakeCylinder, IsClosedAndFull) {
   const TriangleMesh cylinder = MakeCylinder(0.5, 2.0, 64);
   EXPECT_TRUE(IsClosed(cylinder));
-  EXPECT_NEAR(Volume(cylinder), kPi * 0.25 * 2.0 * AreaShare(64), 1e-12);
+  EXPECT_NEAR(Volume(cylinder), pi * 0.25 * 2.0 * AreaShare(64), 1e-12);
 }
 
 TEST(MakeRevolved, TakesHollowProfiles) {
   // A pot: outside up, over the rim, inside down.
   const TriangleMesh pot = MakeRevolved({{0, 0}, {2, 0}, {2, 3}, {1, 3}, {1, 1}, {0, 1}}, 50);
   EXPECT_TRUE(IsClosed(pot));
-  EXPECT_NEAR(Volume(pot), (kPi * 4 * 3 - kPi * 2) * AreaShare(50), 1e-9);
+  EXPECT_NEAR(Volume(pot), (pi * 4 * 3 - pi * 2) * AreaShare(50), 1e-9);
   EXPECT_THROW(MakeRevolved({{1, 0}, {2, 0}, {0, 3}}, 8), Error);
 }
 
 TEST(MakeEllipsoid, IsClosedAndNearlyFull) {
   const TriangleMesh ellipsoid = MakeEllipsoid({1, 2, 3}, {0.5, 1.0, 2.0}, 80);
   EXPECT_TRUE(IsClosed(ellipsoid));
-  EXPECT_NEAR(Volume(ellipsoid) / (4.0 / 3.0 * kPi), 1.0, 0.01);
-  EXPECT_LT(Volume(ellipsoid), 4.0 / 3.0 * kPi) << "its corners lie on the surface";
+  EXPECT_NEAR(Volume(ellipsoid) / (4.0 / 3.0 * pi), 1.0, 0.01);
+  EXPECT_LT(Volume(ellipsoid), 4.0 / 3.0 * pi) << "its corners lie on the surface";
 }
 
 TEST(MakeRod, RunsFromEndToEnd) {
@@ -88,7 +88,7 @@ TEST(MakeRod, RunsFromEndToEnd) {
     const Vector3d from(0.5, 0.25, 0.125);
     const TriangleMesh rod = MakeRod(from, from + to, 0.1, 0.2, 16);
     EXPECT_TRUE(IsClosed(rod));
-    EXPECT_NEAR(Volume(rod), kPi / 3 * to.norm() * (0.01 + 0.02 + 0.04) * AreaShare(16), 1e-9);
+    EXPECT_NEAR(Volume(rod), pi / 3 * to.norm() * (0.01 + 0.02 + 0.04) * AreaShare(16), 1e-9);
     for (const Vector3d& v : rod.vertices) {
       const double along = (v - from).dot(to.normalized());
       EXPECT_GE(along, -1e-9);

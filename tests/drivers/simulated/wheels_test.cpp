@@ -15,9 +15,9 @@ namespace {
 using slam::Pose2;
 
 constexpr double kStep = 0.01;  // [s]
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
-WheelsOptions WithoutErrors() {
+WheelsOptions WheelsWithoutErrors() {
   WheelsOptions options;
   options.radius_spread = options.track_spread = options.slip = 0.0;
   return options;
@@ -48,7 +48,7 @@ struct Driver {
   void DriveSquare(double direction) {
     for (int side = 0; side < 4; ++side) {
       Go({0.5, 0.0}, 8.0);
-      Go({0.0, direction * kPi / 4.0}, 2.0);
+      Go({0.0, direction * pi / 4.0}, 2.0);
     }
   }
 
@@ -61,7 +61,7 @@ struct Driver {
 
 TEST(Wheels, WithoutErrorsDoWhatTheOdometryBelieves) {
   for (const double direction : {1.0, -1.0}) {
-    Driver driver(WithoutErrors());
+    Driver driver(WheelsWithoutErrors());
     driver.DriveSquare(direction);
     EXPECT_LT(driver.truth.Log().norm(), 1e-9) << "back at the start";
     EXPECT_LT(driver.error().Log().norm(), 0.005) << "but for the rounding to ticks of 0.16 mm";
@@ -69,9 +69,9 @@ TEST(Wheels, WithoutErrorsDoWhatTheOdometryBelieves) {
 }
 
 TEST(Wheels, ThatAreFurtherApartTurnTooLittleBothWays) {
-  WheelsOptions options = WithoutErrors();
+  WheelsOptions options = WheelsWithoutErrors();
   options.track_error = 0.01;
-  const double corner = kPi / 2.0 / 1.01;
+  const double corner = pi / 2.0 / 1.01;
   for (const double direction : {1.0, -1.0}) {
     Driver driver(options);
     driver.DriveSquare(direction);
@@ -80,12 +80,12 @@ TEST(Wheels, ThatAreFurtherApartTurnTooLittleBothWays) {
       expected = expected * Pose2{0.0, {4.0, 0.0}} * Pose2{direction * corner, {0.0, 0.0}};
     }
     EXPECT_LT((expected.Inverse() * driver.truth).Log().norm(), 1e-9);
-    EXPECT_NEAR(driver.error().angle, -direction * 4.0 * (kPi / 2.0 - corner), 2e-3);
+    EXPECT_NEAR(driver.error().angle, -direction * 4.0 * (pi / 2.0 - corner), 2e-3);
   }
 }
 
 TEST(Wheels, OfUnequalRadiusCurveTheSameWayInBothSquares) {
-  WheelsOptions options = WithoutErrors();
+  WheelsOptions options = WheelsWithoutErrors();
   options.left_radius_error = -0.002;
   options.right_radius_error = 0.002;
   const double curve = 4.0 * 0.004 / control::DriveGeometry().track;  // of a side, to the left [rad]
@@ -95,7 +95,7 @@ TEST(Wheels, OfUnequalRadiusCurveTheSameWayInBothSquares) {
     Pose2 expected;
     for (int side = 0; side < 4; ++side) {
       // While turning on the spot the larger wheel pulls the middle along its own way.
-      const double turn = direction * kPi / 2.0;
+      const double turn = direction * pi / 2.0;
       const double pull = 0.5 * 0.004 * 0.5 * control::DriveGeometry().track * turn;
       expected = expected * Pose2::Exp({4.0, 0.0, curve}) * Pose2::Exp({pull, 0.0, turn});
     }
@@ -105,7 +105,7 @@ TEST(Wheels, OfUnequalRadiusCurveTheSameWayInBothSquares) {
 }
 
 TEST(Wheels, KeepTheLimits) {
-  const WheelsOptions options = WithoutErrors();
+  const WheelsOptions options = WheelsWithoutErrors();
   Wheels wheels({}, options, 1);
   RandomStream stream = NamedStream(1, "wheels_test/commands");
   Velocity before;
@@ -122,7 +122,7 @@ TEST(Wheels, KeepTheLimits) {
 }
 
 TEST(Wheels, KeepTheCurveOfACommandBeyondTheLimits) {
-  Wheels wheels({}, WithoutErrors(), 1);
+  Wheels wheels({}, WheelsWithoutErrors(), 1);
   wheels.Command({1.6, -0.5});
   for (int i = 0; i < 300; ++i) wheels.Accelerate(kStep);
   EXPECT_DOUBLE_EQ(wheels.velocity().forward, 0.8);
@@ -130,7 +130,7 @@ TEST(Wheels, KeepTheCurveOfACommandBeyondTheLimits) {
 }
 
 TEST(Wheels, CountWholeTicksAndBackwardsBelowZero) {
-  Driver driver(WithoutErrors());
+  Driver driver(WheelsWithoutErrors());
   driver.Go({-0.1, 0.0}, 10.0);
   const double meters_per_tick = control::DriveGeometry().MetersPerTick();
   const std::int32_t ticks = control::TicksSince(0, driver.wheels.Ticks().left);
@@ -138,7 +138,7 @@ TEST(Wheels, CountWholeTicksAndBackwardsBelowZero) {
 }
 
 TEST(Wheels, SlipAsAsked) {
-  WheelsOptions options = WithoutErrors();
+  WheelsOptions options = WheelsWithoutErrors();
   options.slip = 0.004;
   constexpr int kSteps = 4000;
   Wheels wheels({}, options, 3);
@@ -194,7 +194,7 @@ TEST(Wheels, DifferFromSeedToSeed) {
 }
 
 TEST(Wheels, StopWhereTheCommandIsNoNumber) {
-  Wheels wheels({}, WithoutErrors(), 1);
+  Wheels wheels({}, WheelsWithoutErrors(), 1);
   wheels.Command({0.5, 0.0});
   wheels.Accelerate(kStep);
   const double nan = std::numeric_limits<double>::quiet_NaN();

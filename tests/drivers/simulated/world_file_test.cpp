@@ -11,6 +11,7 @@
 #include "drivers/simulated/solids.h"
 #include "slam/base/error.h"
 #include "slam/base/random.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -22,17 +23,12 @@ World Parse(const std::string& things) {
   return ParseWorld("start: [1, 2, 90]\nthings:\n" + things, "test.yaml");
 }
 
-std::string ErrorOf(const std::string& text) {
-  try {
-    ParseWorld(text, "test.yaml");
-  } catch (const Error& e) {
-    return e.what();
-  }
-  return "no error";
+std::string ErrorOfWorld(const std::string& text) {
+  return ErrorOf([&] { ParseWorld(text, "test.yaml"); });
 }
 
 std::string ErrorOfThings(const std::string& things) {
-  return ErrorOf("start: [0, 0, 0]\nthings:\n" + things);
+  return ErrorOfWorld("start: [0, 0, 0]\nthings:\n" + things);
 }
 
 slam::Box3 BoxOf(const Body& body) { return slam::BoxAround(body.mesh_body.vertices); }
@@ -116,18 +112,18 @@ TEST(ParseWorld, HangsDoorsByTheirHinges) {
 }
 
 TEST(ParseWorld, NamesFileAndLineOfWhatIsWrong) {
-  EXPECT_THAT(ErrorOf("things: []\n"), HasSubstr("test.yaml:1: the key start is missing"));
-  EXPECT_THAT(ErrorOf("start: [0, 0]\n"), HasSubstr("test.yaml:1: start needs a list of 3 numbers"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, x]\n"), HasSubstr("start needs a number, not x"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, .nan]\n"), HasSubstr("start needs a number"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, 0]\nthing: []\n"),
+  EXPECT_THAT(ErrorOfWorld("things: []\n"), HasSubstr("test.yaml:1: the key start is missing"));
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0]\n"), HasSubstr("test.yaml:1: start needs a list of 3 numbers"));
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0, x]\n"), HasSubstr("start needs a number, not x"));
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0, .nan]\n"), HasSubstr("start needs a number"));
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0, 0]\nthing: []\n"),
               HasSubstr("test.yaml:2: unknown key thing; did you mean things?"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, 0]\nstart: [0, 0, 0]\n"),
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0, 0]\nstart: [0, 0, 0]\n"),
               HasSubstr("test.yaml:2: the key start is repeated"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, 0\n"), HasSubstr("not valid YAML"));
-  EXPECT_THAT(ErrorOf("- 1\n"), HasSubstr("a world is a map"));
-  EXPECT_THAT(ErrorOf(""), HasSubstr("one YAML document, not 0"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, 0]\nmaterials: {wood: 1.5}\n"),
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0, 0\n"), HasSubstr("not valid YAML"));
+  EXPECT_THAT(ErrorOfWorld("- 1\n"), HasSubstr("a world is a map"));
+  EXPECT_THAT(ErrorOfWorld(""), HasSubstr("one YAML document, not 0"));
+  EXPECT_THAT(ErrorOfWorld("start: [0, 0, 0]\nmaterials: {wood: 1.5}\n"),
               HasSubstr("test.yaml:2: wood is 1.5, but must be in 0 to 1"));
   EXPECT_THAT(ErrorOfThings("  - tabel: {at: [0, 0]}\n"),
               HasSubstr("test.yaml:3: unknown kind tabel; did you mean table?"));
@@ -155,9 +151,10 @@ TEST(ParseWorld, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_THAT(ErrorOfThings("  - person: {path: [[0, 0, 0, 0], [0, 1, 0, 0]]}\n"),
               HasSubstr("must ascend"));
   EXPECT_THAT(ErrorOfThings("  - group: {of: x, at: [0, 0]}\n"), HasSubstr("unknown group x"));
-  EXPECT_THAT(ErrorOf("start: [0, 0, 0]\ngroups: {g: [{group: {of: g, at: [0, 0]}}]}\nthings: [{group: "
-                      "{of: g, at: [0, 0]}}]\n"),
-              HasSubstr("nested too deeply, or in itself"));
+  EXPECT_THAT(
+      ErrorOfWorld("start: [0, 0, 0]\ngroups: {g: [{group: {of: g, at: [0, 0]}}]}\nthings: [{group: "
+                   "{of: g, at: [0, 0]}}]\n"),
+      HasSubstr("nested too deeply, or in itself"));
 }
 
 TEST(ParseWorld, SurvivesDamagedFiles) {

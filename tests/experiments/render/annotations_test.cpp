@@ -5,15 +5,12 @@
 #include <algorithm>
 
 #include "slam/base/error.h"
+#include "tests/experiments/render/colors.h"
 
 namespace ariadne::experiments {
 namespace {
 
-constexpr Rgb kGray{128, 128, 128};
-constexpr Rgb kRed{200, 0, 0};
-constexpr Rgb kBlue{0, 0, 200};
-
-Image Picture() { return {400, 100, kGray}; }
+Image Picture() { return {400, 100, kMidGray}; }
 
 bool HasInk(const Image& band) {
   return std::any_of(band.pixels.begin(), band.pixels.end(), [](Rgb pixel) { return pixel.r < 100; });
@@ -43,7 +40,7 @@ TEST(Annotations, LegendShowsEveryColorInRowsThatFit) {
   const Image short_legend = WithLegend(Picture(), entries);
   EXPECT_GT(std::count(short_legend.pixels.begin(), short_legend.pixels.end(), kRed), 30);
   EXPECT_GT(std::count(short_legend.pixels.begin(), short_legend.pixels.end(), kBlue), 30);
-  entries.resize(30, {"scan n", kGray});
+  entries.resize(30, {"scan n", kMidGray});
   const Image long_legend = WithLegend(Picture(), entries);
   EXPECT_GT(long_legend.height, short_legend.height);
   EXPECT_EQ(long_legend.width, 400);

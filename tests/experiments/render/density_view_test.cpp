@@ -15,7 +15,7 @@ using testing::ThrowsMessage;
 
 constexpr double kScale = 50.0;  // [px/m]
 
-Camera Top() { return TopView({200, 120}, Up::kPlusY, {0, 0, 0}, kScale); }
+Camera TopOfWall() { return TopView({200, 120}, Up::kPlusY, {0, 0, 0}, kScale); }
 
 /// A wall along x, 2.5 m high, seen with the noise of a scanner, and a floor around it.
 ColoredPoints WallAt(double y, Rgb color, double sigma = 0.008) {
@@ -59,7 +59,7 @@ int CountRidges(const Image& image) {
 }
 
 TEST(DensityView, ASingleWallIsOneRidgeWhereItStands) {
-  const Image image = RenderDensity(WallAt(0.4, kBlack), Top());
+  const Image image = RenderDensity(WallAt(0.4, kBlack), TopOfWall());
   EXPECT_EQ(CountRidges(image), 1);
   const std::vector<double> rows = RowDarkness(image);
   const auto darkest = std::max_element(rows.begin(), rows.end()) - rows.begin();
@@ -68,13 +68,13 @@ TEST(DensityView, ASingleWallIsOneRidgeWhereItStands) {
 
 TEST(DensityView, ADoubleWallIsTwoRidges) {
   const ColoredPoints doubled = Union(WallAt(0.4, kBlack), WallAt(0.5, kBlack));
-  EXPECT_EQ(CountRidges(RenderDensity(doubled, Top())), 2);
+  EXPECT_EQ(CountRidges(RenderDensity(doubled, TopOfWall())), 2);
   const ColoredPoints matched = Union(WallAt(0.4, kBlack), WallAt(0.4, kBlack));
-  EXPECT_EQ(CountRidges(RenderDensity(matched, Top())), 1);
+  EXPECT_EQ(CountRidges(RenderDensity(matched, TopOfWall())), 1);
 }
 
 TEST(DensityView, WallsAreDarkerThanFloorsHitAsOften) {
-  const std::vector<double> rows = RowDarkness(RenderDensity(WallAt(0.4, kBlack), Top()));
+  const std::vector<double> rows = RowDarkness(RenderDensity(WallAt(0.4, kBlack), TopOfWall()));
   EXPECT_GT(rows[40], 0.6);
   EXPECT_LT(rows[70], 0.2);
   EXPECT_GT(rows[70], 0.001);
@@ -85,7 +85,7 @@ TEST(DensityView, CountsPointsWhereColumnsAreOff) {
   for (int i = 0; i < 50; ++i) points.positions_map.emplace_back(1.01, 0.01, 0.0);
   points.colors.assign(points.positions_map.size(), kBlack);
   points.positions_map[0] = {0.01, 0.01, 0.0};
-  const Image image = RenderDensity(points, Top(), {.column = 0.0, .reference_share = 1.0});
+  const Image image = RenderDensity(points, TopOfWall(), {.column = 0.0, .reference_share = 1.0});
   EXPECT_LT(image.At(150, 59).r, 10);
   EXPECT_GT(image.At(100, 59).r, 150);
 }
@@ -93,36 +93,36 @@ TEST(DensityView, CountsPointsWhereColumnsAreOff) {
 TEST(DensityView, HueIsTheMeanOfTheScans) {
   const Rgb red{220, 40, 40}, blue{40, 40, 220};
   const ColoredPoints points{{{0.01, 0.01, 0}, {0.01, 0.01, 0}, {1.01, 0.01, 0}}, {red, blue, red}};
-  const Image image = RenderDensity(points, Top(), {.reference_share = 0.0, .darkest = 1.0});
+  const Image image = RenderDensity(points, TopOfWall(), {.reference_share = 0.0, .darkest = 1.0});
   EXPECT_EQ(image.At(150, 59), red);
   EXPECT_EQ(image.At(100, 59), Mix(red, blue, 0.5));
 }
 
 TEST(DensityView, APointBetweenPixelsIsShared) {
   const ColoredPoints points{{{0.0, 0.01, 0}}, {kBlack}};
-  const Image image = RenderDensity(points, Top());
+  const Image image = RenderDensity(points, TopOfWall());
   EXPECT_EQ(image.At(99, 59), image.At(100, 59));
   EXPECT_NE(image.At(99, 59), kWhite);
   EXPECT_EQ(image.At(101, 59), kWhite);
-  EXPECT_NE(RenderDensity(points, Top(), {.pen_radius = 2.0}).At(101, 59), kWhite);
+  EXPECT_NE(RenderDensity(points, TopOfWall(), {.pen_radius = 2.0}).At(101, 59), kWhite);
 }
 
 TEST(DensityView, IsDeterministicAndIgnoresPointsOutside) {
   ColoredPoints points = WallAt(0.4, kBlack);
-  const Image image = RenderDensity(points, Top());
-  EXPECT_EQ(RenderDensity(points, Top()), image);
+  const Image image = RenderDensity(points, TopOfWall());
+  EXPECT_EQ(RenderDensity(points, TopOfWall()), image);
   points.positions_map.emplace_back(1e12, -1e12, 1.0);
   points.colors.push_back(kBlack);
-  EXPECT_EQ(RenderDensity(points, Top()), image);
+  EXPECT_EQ(RenderDensity(points, TopOfWall()), image);
 }
 
-TEST(DensityView, NoPointsAreAnEmptyPicture) { EXPECT_EQ(RenderDensity({}, Top()), Image(200, 120)); }
+TEST(DensityView, NoPointsAreAnEmptyPicture) { EXPECT_EQ(RenderDensity({}, TopOfWall()), Image(200, 120)); }
 
 TEST(DensityView, RefusesBadInput) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THAT(
       [&] {
-        RenderDensity({{{0, nan, 0}}, {kBlack}}, Top());
+        RenderDensity({{{0, nan, 0}}, {kBlack}}, TopOfWall());
       },
       ThrowsMessage<Error>(HasSubstr("not finite")));
   EXPECT_THAT(
@@ -130,7 +130,7 @@ TEST(DensityView, RefusesBadInput) {
         RenderDensity({}, ObliqueView({0, 0, 0}));
       },
       ThrowsMessage<Error>(HasSubstr("orthographic")));
-  EXPECT_THAT([] { RenderDensity({}, Top(), {.pen_radius = 0.5}); },
+  EXPECT_THAT([] { RenderDensity({}, TopOfWall(), {.pen_radius = 0.5}); },
               ThrowsMessage<Error>(HasSubstr("pen_radius")));
 }
 

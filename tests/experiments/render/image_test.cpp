@@ -3,14 +3,13 @@
 #include <gmock/gmock.h>
 
 #include "slam/base/error.h"
+#include "tests/experiments/render/colors.h"
 
 namespace ariadne::experiments {
 namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-constexpr Rgb kRed{200, 0, 0};
 
 TEST(Image, IsStoredRowByRowFromTheTop) {
   Image image(3, 2);

@@ -7,13 +7,12 @@
 
 #include "experiments/render/color_map.h"
 #include "slam/base/error.h"
+#include "tests/experiments/render/colors.h"
 
 namespace ariadne::experiments {
 namespace {
 
-constexpr Rgb kRed{200, 0, 0};
-
-Camera Top() { return TopView({200, 100}, Up::kPlusY, {0, 0, 0}, 10.0); }
+Camera TopOfOverlay() { return TopView({200, 100}, Up::kPlusY, {0, 0, 0}, 10.0); }
 
 slam::Pose3 PoseAt(double x, double y, double yaw = 0.0) {
   return {Eigen::Quaterniond(Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ())), {x, y, 0}};
@@ -25,7 +24,7 @@ bool Painted(const Image& image, double x, double y) {
 
 TEST(DrawPath, JoinsProjectedPoints) {
   Image image(200, 100);
-  DrawPath(image, Top(), {{-5, 0, 0}, {0, 0, 0}, {0, 3, 0}}, {.color = kRed, .width = 2.0});
+  DrawPath(image, TopOfOverlay(), {{-5, 0, 0}, {0, 0, 0}, {0, 3, 0}}, {.color = kRed, .width = 2.0});
   EXPECT_EQ(image.At(70, 50), kRed);
   EXPECT_EQ(image.At(100, 30), kRed);
   EXPECT_EQ(image.At(130, 50), kWhite);
@@ -51,7 +50,7 @@ TEST(DrawPath, IsCutBehindAPerspectiveCamera) {
 
 TEST(DrawBox, DrawsTheTwelveEdges) {
   Image image(200, 100);
-  DrawBox(image, Top(), {Eigen::Vector3d(-4, -2, 0), Eigen::Vector3d(4, 2, 1)},
+  DrawBox(image, TopOfOverlay(), {Eigen::Vector3d(-4, -2, 0), Eigen::Vector3d(4, 2, 1)},
           {.color = kRed, .width = 2.0});
   EXPECT_EQ(image.At(60, 50), kRed);
   EXPECT_EQ(image.At(139, 50), kRed);
@@ -62,7 +61,7 @@ TEST(DrawBox, DrawsTheTwelveEdges) {
 
 TEST(DrawPoses, MarksStandWherePosesProject) {
   Image image(200, 100);
-  DrawPoses(image, Top(), {PoseAt(-5, 0), PoseAt(5, 2)}, {.radius = 8, .show_numbers = false});
+  DrawPoses(image, TopOfOverlay(), {PoseAt(-5, 0), PoseAt(5, 2)}, {.radius = 8, .show_numbers = false});
   EXPECT_EQ(image.At(50, 50), CategoricalColor(0));
   EXPECT_EQ(image.At(150, 30), CategoricalColor(1));
   EXPECT_EQ(image.At(100, 50), kWhite);
@@ -73,7 +72,7 @@ TEST(DrawPoses, TrianglesPointAhead) {
   for (const auto& [yaw, x, y] :
        {std::tuple{0.0, 1, 0}, {quarter, 0, -1}, {2 * quarter, -1, 0}, {-quarter, 0, 1}}) {
     Image image(200, 100);
-    DrawPoses(image, Top(), {PoseAt(0, 0, yaw)}, {.radius = 8, .show_numbers = false});
+    DrawPoses(image, TopOfOverlay(), {PoseAt(0, 0, yaw)}, {.radius = 8, .show_numbers = false});
     EXPECT_TRUE(Painted(image, 100 + 12 * x, 50 + 12 * y)) << yaw;
     EXPECT_FALSE(Painted(image, 100 - 12 * x, 50 - 12 * y)) << yaw;
   }
@@ -82,10 +81,10 @@ TEST(DrawPoses, TrianglesPointAhead) {
 TEST(DrawPoses, AreNumbered) {
   const PoseStyle style{.radius = 10, .colored_by_index = false};
   Image zero(200, 100), one(200, 100), seven(200, 100);
-  DrawPoses(zero, Top(), {PoseAt(0, 0)}, style);
+  DrawPoses(zero, TopOfOverlay(), {PoseAt(0, 0)}, style);
   PoseStyle from_one = style;
   from_one.first_number = 1;
-  DrawPoses(one, Top(), {PoseAt(0, 0)}, from_one);
+  DrawPoses(one, TopOfOverlay(), {PoseAt(0, 0)}, from_one);
   EXPECT_NE(zero, one);
   EXPECT_GT(std::count(one.pixels.begin(), one.pixels.end(), style.color), 100);
 }
@@ -94,11 +93,13 @@ TEST(DrawPoses, RefusesPosesThatAreNotFinite) {
   Image image(200, 100);
   EXPECT_THAT(
       [&] {
-        DrawPoses(image, Top(), {PoseAt(0, 0), PoseAt(std::numeric_limits<double>::infinity(), 0)});
+        DrawPoses(image, TopOfOverlay(),
+                  {PoseAt(0, 0), PoseAt(std::numeric_limits<double>::infinity(), 0)});
       },
       testing::ThrowsMessage<Error>(testing::HasSubstr("pose 1")));
-  EXPECT_THROW(DrawPath(image, Top(), {{0, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}),
-               Error);
+  EXPECT_THROW(
+      DrawPath(image, TopOfOverlay(), {{0, 0, 0}, {0, std::numeric_limits<double>::quiet_NaN(), 0}}),
+      Error);
 }
 
 }  // namespace

@@ -8,15 +8,13 @@
 #include "experiments/render/draw_splats.h"
 #include "slam/base/error.h"
 #include "slam/base/random.h"
+#include "tests/experiments/render/colors.h"
 
 namespace ariadne::experiments {
 namespace {
 
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-constexpr Rgb kRed{200, 0, 0};
-constexpr Rgb kBlue{0, 0, 200};
 
 /// Looks along +x of the map, 100 px per rad near the middle.
 Camera Ahead() { return LookAt({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 1.2, {200, 150}); }

@@ -9,28 +9,28 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Pose2, TurnsAnticlockwiseAndThenShifts) {
-  const Pose2 T_map_base{kPi / 2.0, {10.0, 20.0}};
+  const Pose2 T_map_base{pi / 2.0, {10.0, 20.0}};
   EXPECT_THAT(T_map_base * Eigen::Vector2d(1.0, 0.0), NearMatrix(Eigen::Vector2d(10.0, 21.0), 1e-15));
   EXPECT_THAT(T_map_base * Eigen::Vector2d(0.0, 1.0), NearMatrix(Eigen::Vector2d(9.0, 20.0), 1e-15));
 }
 
 TEST(Pose2, KeepsItsAngleInTheHalfOpenInterval) {
-  const Pose2 half_turn{kPi, {1.0, 0.0}};
-  EXPECT_EQ(half_turn.Inverse().angle, kPi);
+  const Pose2 half_turn{pi, {1.0, 0.0}};
+  EXPECT_EQ(half_turn.Inverse().angle, pi);
   EXPECT_EQ((half_turn * half_turn).angle, 0.0);
-  EXPECT_EQ(Pose2::Exp({0.0, 0.0, -kPi}).angle, kPi);
-  const Pose2 three_quarters = Pose2{kPi / 2.0, {}} * half_turn;
-  EXPECT_NEAR(three_quarters.angle, -kPi / 2.0, 1e-15);
+  EXPECT_EQ(Pose2::Exp({0.0, 0.0, -pi}).angle, pi);
+  const Pose2 three_quarters = Pose2{pi / 2.0, {}} * half_turn;
+  EXPECT_NEAR(three_quarters.angle, -pi / 2.0, 1e-15);
 }
 
 TEST(Pose2, ExpFollowsTheHalfCircle) {
-  const Pose2 half_circle = Pose2::Exp({kPi, 0.0, kPi});  // pi metres along the circle of radius 1 m
-  EXPECT_EQ(half_circle.angle, kPi);
+  const Pose2 half_circle = Pose2::Exp({pi, 0.0, pi});  // pi metres along the circle of radius 1 m
+  EXPECT_EQ(half_circle.angle, pi);
   EXPECT_THAT(half_circle.translation, NearMatrix(Eigen::Vector2d(0.0, 2.0), 1e-15));
-  EXPECT_THAT(half_circle.Log(), NearMatrix(Eigen::Vector3d(kPi, 0.0, kPi), 1e-15));
+  EXPECT_THAT(half_circle.Log(), NearMatrix(Eigen::Vector3d(pi, 0.0, pi), 1e-15));
 }
 
 TEST(Pose2, ExpKeepsTheDigitsOfTinyArcs) {

@@ -11,10 +11,10 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Pose3 QuarterTurnAboutZ() {
-  return {Eigen::Quaterniond(Eigen::AngleAxisd(kPi / 2.0, Eigen::Vector3d::UnitZ())), {10.0, 20.0, 30.0}};
+  return {Eigen::Quaterniond(Eigen::AngleAxisd(pi / 2.0, Eigen::Vector3d::UnitZ())), {10.0, 20.0, 30.0}};
 }
 
 TEST(Pose3, TurnsAnticlockwiseAboutZAndThenShifts) {
@@ -54,7 +54,7 @@ TEST(Pose3, CompositionKeepsTheQuaternionAtUnitLength) {
 }
 
 TEST(Pose3, ExpIsAScrew) {
-  const Pose3 screw = Pose3::Exp((Pose3::Tangent() << 0.0, 0.0, 2.0, 0.0, 0.0, kPi / 2.0).finished());
+  const Pose3 screw = Pose3::Exp((Pose3::Tangent() << 0.0, 0.0, 2.0, 0.0, 0.0, pi / 2.0).finished());
   EXPECT_THAT(screw * Eigen::Vector3d(1.0, 0.0, 0.0), NearMatrix(Eigen::Vector3d(0.0, 1.0, 2.0), 1e-15));
 }
 

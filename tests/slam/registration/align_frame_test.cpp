@@ -29,7 +29,7 @@ class AlignInAnyFrame : public testing::TestWithParam<Metric> {
 INSTANTIATE_TEST_SUITE_P(Metrics, AlignInAnyFrame,
                          testing::Values(Metric::kPointToPoint, Metric::kPointToPlane,
                                          Metric::kPlaneToPlane),
-                         [](const auto& metric) { return std::string(NameOf(metric.param)); });
+                         [](const auto& metric) { return std::string(ariadne::NameOf(metric.param)); });
 
 TEST_P(AlignInAnyFrame, FindsTheSameRelativePose) {
   const AlignResult expected = AlignMoved(Pose3(), Pose3());

@@ -37,7 +37,7 @@ class HopelessBy : public testing::TestWithParam<Metric> {
 INSTANTIATE_TEST_SUITE_P(Metrics, HopelessBy,
                          testing::Values(Metric::kPointToPoint, Metric::kPointToPlane,
                                          Metric::kPlaneToPlane),
-                         [](const auto& metric) { return std::string(NameOf(metric.param)); });
+                         [](const auto& metric) { return std::string(ariadne::NameOf(metric.param)); });
 
 TEST_P(HopelessBy, ZeroPairs) {
   const Pose3 far{Eigen::Quaterniond::Identity(), {100.0, 0.0, 0.0}};

@@ -10,7 +10,7 @@
 namespace ariadne::slam {
 namespace {
 
-double ErrorOf(const AlignResult& result, const TwoClouds& clouds) {
+double ErrorAgainstTruth(const AlignResult& result, const TwoClouds& clouds) {
   const Eigen::Vector3d center = CentroidOf(clouds.data.positions);
   return (result.T_model_data * center - clouds.T_model_data * center).norm();
 }
@@ -24,7 +24,7 @@ double MeanError(const AlignOptions& options) {
         seed, {.points = 1500, .outliers = 0.3, .start_translation = 0.1, .start_angle = 2.0});
     const AlignResult result = Align(clouds.model, clouds.data, clouds.T_model_data_guess, options);
     EXPECT_TRUE(result.converged()) << result.message;
-    sum += ErrorOf(result, clouds);
+    sum += ErrorAgainstTruth(result, clouds);
   }
   return sum / kRooms;
 }
@@ -44,7 +44,7 @@ class AlignWithKernel : public testing::TestWithParam<RobustKernel> {};
 INSTANTIATE_TEST_SUITE_P(Kernels, AlignWithKernel,
                          testing::Values(RobustKernel::kHuber, RobustKernel::kCauchy, RobustKernel::kTukey,
                                          RobustKernel::kGemanMcClure),
-                         [](const auto& kernel) { return std::string(NameOf(kernel.param)); });
+                         [](const auto& kernel) { return std::string(ariadne::NameOf(kernel.param)); });
 
 TEST_P(AlignWithKernel, HasLessThanHalfOfTheErrorWithoutIt) {
   AlignOptions options = PlainOptions();
@@ -86,9 +86,10 @@ TEST(AlignRobust, DropsPairsAtTheEndOfTheModel) {
         seed,
         {.points = 3000, .overlap = 0.5, .outliers = 0.0, .start_translation = 0.1, .start_angle = 2.0});
     options.skip_boundary = false;
-    without += ErrorOf(Align(clouds.model, clouds.data, clouds.T_model_data_guess, options), clouds);
+    without +=
+        ErrorAgainstTruth(Align(clouds.model, clouds.data, clouds.T_model_data_guess, options), clouds);
     options.skip_boundary = true;
-    with += ErrorOf(Align(clouds.model, clouds.data, clouds.T_model_data_guess, options), clouds);
+    with += ErrorAgainstTruth(Align(clouds.model, clouds.data, clouds.T_model_data_guess, options), clouds);
   }
   EXPECT_LT(with, 0.7 * without);
 }

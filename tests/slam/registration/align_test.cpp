@@ -33,7 +33,7 @@ class AlignBy : public testing::TestWithParam<Metric> {
 INSTANTIATE_TEST_SUITE_P(Metrics, AlignBy,
                          testing::Values(Metric::kPointToPoint, Metric::kPointToPlane,
                                          Metric::kPlaneToPlane),
-                         [](const auto& metric) { return std::string(NameOf(metric.param)); });
+                         [](const auto& metric) { return std::string(ariadne::NameOf(metric.param)); });
 
 TEST_P(AlignBy, FindsThePose) {
   const TwoClouds clouds = EasyClouds();

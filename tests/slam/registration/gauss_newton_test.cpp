@@ -64,7 +64,7 @@ class PlaneEquations : public testing::TestWithParam<Metric> {
 };
 INSTANTIATE_TEST_SUITE_P(Metrics, PlaneEquations,
                          testing::Values(Metric::kPointToPlane, Metric::kPlaneToPlane),
-                         [](const auto& metric) { return std::string(NameOf(metric.param)); });
+                         [](const auto& metric) { return std::string(ariadne::NameOf(metric.param)); });
 
 TEST_P(PlaneEquations, AreThoseOfNumericDerivatives) {
   const PairWeight weight = ChooseWeight({}, 1.0, RobustKernel::kCauchy, 0.5);

@@ -27,7 +27,9 @@ INSTANTIATE_TEST_SUITE_P(Kernels, PairWeightOf,
                                          KernelValues{RobustKernel::kCauchy, 0.8, 0.5, 0.2},
                                          KernelValues{RobustKernel::kTukey, 0.5625, 0.0, 0.0},
                                          KernelValues{RobustKernel::kGemanMcClure, 0.64, 0.25, 0.04}),
-                         [](const auto& values) { return std::string(NameOf(values.param.kernel)); });
+                         [](const auto& values) {
+                           return std::string(ariadne::NameOf(values.param.kernel));
+                         });
 
 TEST_P(PairWeightOf, HasTheTextbookValues) {
   const auto at = [&](double scales) { return weight_(std::pow(scales * kScale, 2)); };

@@ -150,9 +150,9 @@ TYPED_TEST(OptimizeWithCeresOf, KernelsAndSwitchesStandAWrongClosure) {
     options.robust = robust;
     options.switch_weight = std::sqrt(SquaredScale(options.robust_confidence, TypeParam::kDof));
     const CeresResult<TypeParam> result = OptimizeWithCeres(rounds.graph, options);
-    EXPECT_LE(WorstError(rounds, result), 1.5 * without) << NameOf(robust);
+    EXPECT_LE(WorstError(rounds, result), 1.5 * without) << ariadne::NameOf(robust);
     ASSERT_EQ(result.edge_weights.size(), rounds.graph.edges.size());
-    EXPECT_LE(result.edge_weights[wrong], 0.01) << NameOf(robust);
+    EXPECT_LE(result.edge_weights[wrong], 0.01) << ariadne::NameOf(robust);
     EXPECT_EQ(result.edge_weights[0], 1.0) << "odometry is trusted";
   }
 }

@@ -19,7 +19,7 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A measurement, with full information, and two poses at which it is off by a rotation of a given angle.
 template <typename Pose>
@@ -40,8 +40,8 @@ template <typename Pose>
 std::vector<Sample<Pose>> Samples() {
   RandomStream stream = NamedStream(1, "relative_pose_test");
   std::vector<Sample<Pose>> samples;
-  for (const double pose_angle : {0.0, 0.5, 2.0, kPi - 1e-6}) {
-    for (const double off : {0.0, 1e-9, 1e-4, 0.1, 1.0, 3.0, kPi - 1e-4}) {
+  for (const double pose_angle : {0.0, 0.5, 2.0, pi - 1e-6}) {
+    for (const double off : {0.0, 1e-9, 1e-4, 0.1, 1.0, 3.0, pi - 1e-4}) {
       for (const double length : {0.0, 0.5, 30.0}) {
         const auto draw = [&](double angle) { return Pose::Exp(TangentWith<Pose>(length, angle, stream)); };
         Sample<Pose> sample{{0, 1, draw(pose_angle), DrawInformation<Pose>(stream)}, draw(pose_angle), {}};
