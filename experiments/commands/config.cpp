@@ -9,7 +9,7 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct ConfigArguments {
   std::string experiment = "register";
   bool describe = false;
 };
@@ -27,7 +27,7 @@ void PrintManual(const Study& study) {
 void AddConfigCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("config", "Print the options of an experiment, as YAML or as a manual");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConfigArguments>();
   command->add_option("experiment", arguments->experiment, "Its name")->capture_default_str();
   command->add_flag("--describe", arguments->describe, "The manual: key, default, unit, range, source");
   command->footer("Example:\n  ariadne config register --describe\n  ariadne config register > my.yaml");

@@ -10,14 +10,14 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct ConvertArguments {
   std::string in;
   std::string out;
   std::string format;
   std::string encoding;
 };
 
-void Convert(const Arguments& arguments) {
+void Convert(const ConvertArguments& arguments) {
   const std::filesystem::path out(arguments.out);
   slam::FormatFromPath(out);  // a wrong extension is told before the reading
   const std::optional<slam::CloudEncoding> encoding =
@@ -36,7 +36,7 @@ void Convert(const Arguments& arguments) {
 
 void AddConvertCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("convert", "Convert a scan from one format to another");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ConvertArguments>();
   command->add_option("in", arguments->in, "File to read")->required();
   command->add_option("out", arguments->out, "File to write: .3d, .xyz, .ply, .pcd or .bin")->required();
   command->add_option("--format", arguments->format,

@@ -12,7 +12,7 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct InfoArguments {
   std::string folder;
   std::string format = "auto";
   std::string poses;
@@ -49,7 +49,7 @@ void PrintInfo(const InputOptions& input) {
 
 void AddInfoCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("info", "Tell what is in a folder of scans");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<InfoArguments>();
   command->add_option("folder", arguments->folder, "Folder of scans, or builtin:office")->required();
   command->add_option("--format", arguments->format, "uos, xyz, ply, pcd or kitti; auto: by extension");
   command->add_option("--poses", arguments->poses, "File of first guesses of the poses");

@@ -10,7 +10,7 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct OptimizeArguments {
   std::string file;
   std::string config;
   std::string robust;
@@ -23,7 +23,7 @@ struct Arguments {
 };
 
 /// The options of the config file, if any, changed by the command line.
-OptimizeOptions ResolveOptions(const Arguments& arguments) {
+OptimizeOptions ResolveOptions(const OptimizeArguments& arguments) {
   OptionEntries entries =
       arguments.config.empty() ? OptionEntries() : OptionEntries::FromFile(arguments.config);
   const std::optional<OptionEntry> experiment = entries.Take("experiment");
@@ -40,7 +40,7 @@ OptimizeOptions ResolveOptions(const Arguments& arguments) {
   return ReadOptions<OptimizeOptions>(entries);
 }
 
-int OptimizeGraph(const Arguments& arguments) {
+int OptimizeGraph(const OptimizeArguments& arguments) {
   const OptimizeOptions options = ResolveOptions(arguments);
   CheckOptimizeInput(options);  // what is wrong is told before anything is made or overwritten
   const RunDirectory run(arguments.target.out, arguments.target.existing());
@@ -56,7 +56,7 @@ int OptimizeGraph(const Arguments& arguments) {
 
 void AddOptimizeCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("optimize", "Find the best poses of a pose graph (.g2o)");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<OptimizeArguments>();
   command->add_option("file", arguments->file,
                       "Graph in the format of g2o or TORO, in the plane or in space");
   command->add_option("--config", arguments->config, "YAML file of options");

@@ -10,7 +10,7 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct RegisterArguments {
   std::string folder;
   std::string config;
   std::string format;
@@ -20,7 +20,7 @@ struct Arguments {
 };
 
 /// The options of the config file, if any, changed by the command line.
-RegisterOptions ResolveOptions(const Arguments& arguments) {
+RegisterOptions ResolveOptions(const RegisterArguments& arguments) {
   OptionEntries entries =
       arguments.config.empty() ? OptionEntries() : OptionEntries::FromFile(arguments.config);
   const std::optional<OptionEntry> experiment = entries.Take("experiment");
@@ -35,9 +35,9 @@ RegisterOptions ResolveOptions(const Arguments& arguments) {
 }
 
 /// A resumed run has the options that it had before.
-RegisterOptions ResumedOptions(const Arguments& arguments) {
+RegisterOptions ResumedOptions(const RegisterArguments& arguments) {
   if (!HoldsRun(arguments.target.out)) Fail("{}: there is no run to resume", arguments.target.out);
-  Arguments same;
+  RegisterArguments same;
   same.config = arguments.target.out + "/config.yaml";
   if (!arguments.folder.empty() || !arguments.config.empty() || !arguments.assignments.empty() ||
       !arguments.format.empty() || !arguments.method.empty()) {
@@ -46,7 +46,7 @@ RegisterOptions ResumedOptions(const Arguments& arguments) {
   return ResolveOptions(same);
 }
 
-int Register(const Arguments& arguments) {
+int Register(const RegisterArguments& arguments) {
   if (arguments.folder.empty() && arguments.config.empty() && !arguments.target.resume) {
     Fail("which scans? Give a folder: ariadne register DIR --out RUN (or --config FILE, or --resume)");
   }
@@ -68,7 +68,7 @@ int Register(const Arguments& arguments) {
 
 void AddRegisterCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("register", "Register a folder of 3D scans into one map");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RegisterArguments>();
   command->add_option("folder", arguments->folder, "Folder of scans, or builtin:office");
   command->add_option("--format", arguments->format,
                       "uos, xyz, ply, pcd or kitti; without it: by extension");

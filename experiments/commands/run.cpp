@@ -12,7 +12,7 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct RunArguments {
   std::vector<std::string> configs;
   std::vector<std::string> assignments;
   std::string results = "results";
@@ -20,7 +20,7 @@ struct Arguments {
 };
 
 /// Returns the exit status.
-int RunConfig(const std::string& config, const Arguments& arguments) {
+int RunConfig(const std::string& config, const RunArguments& arguments) {
   OptionEntries entries = OptionEntries::FromFile(config);
   for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
   const std::optional<OptionEntry> experiment = entries.Take("experiment");
@@ -47,7 +47,7 @@ int RunConfig(const std::string& config, const Arguments& arguments) {
 
 void AddRunCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand("run", "Run experiments from their configs");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<RunArguments>();
   command->add_option("configs", arguments->configs, "YAML files")->required();
   command->add_option("--out", arguments->target.out, "Run directory; only with one config");
   command

@@ -11,14 +11,14 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct SimulateArguments {
   std::string world;
   std::string waypoints;
   std::vector<std::string> assignments;
   RunTarget target;
 };
 
-void Simulate(const Arguments& arguments) {
+void Simulate(const SimulateArguments& arguments) {
   OptionEntries entries;
   if (!arguments.world.empty()) entries.Set("input.tour.world=" + arguments.world);
   if (!arguments.waypoints.empty()) entries.Set("input.tour.waypoints=" + arguments.waypoints);
@@ -36,7 +36,7 @@ void Simulate(const Arguments& arguments) {
 void AddSimulateCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Let a simulated robot scan a world, and write its scans");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SimulateArguments>();
   command->add_option("world", arguments->world,
                       "builtin:robobench, builtin:entrance_hall, .yaml, .json (floor plan) or a mesh");
   command->add_option("--waypoints", arguments->waypoints,

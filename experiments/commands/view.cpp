@@ -12,13 +12,13 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct ViewArguments {
   std::string target;
   std::string out = "view.png";
   std::vector<std::string> assignments;
 };
 
-void View(const Arguments& arguments) {
+void View(const ViewArguments& arguments) {
   OptionEntries entries;
   for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
   const auto options = ReadOptions<ViewOptions>(entries);
@@ -32,7 +32,7 @@ void View(const Arguments& arguments) {
 
 void AddViewCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("view", "Draw the map of a run, or a world, into a picture");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ViewArguments>();
   command
       ->add_option("target", arguments->target,
                    "Run directory; or a world: builtin:robobench, .yaml, .json, mesh")

@@ -125,4 +125,6 @@ std::string ToLatex(const Table& table) {
 
 std::string Exact(double value) { return fmt::format("{}", value); }
 
+std::string Percent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
+
 }  // namespace ariadne::experiments

@@ -26,4 +26,7 @@ std::string ToLatex(const Table& table);
 /// The shortest text that reads back to the same number: what machine-readable results hold.
 std::string Exact(double value);
 
+/// A share in percent, for people: "12.3".
+std::string Percent(double share);
+
 }  // namespace ariadne::experiments

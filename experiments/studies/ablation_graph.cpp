@@ -44,8 +44,6 @@ std::string MedianText(const std::vector<double>& values, double per_unit,
   return fmt::format("{:.2f} [{:.2f}, {:.2f}]", per_unit * i.estimate, per_unit * i.low, per_unit * i.high);
 }
 
-std::string Percent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
-
 Table KernelTable(const std::vector<RobustTrial>& trials, const BootstrapOptions& bootstrap) {
   Table table{
       {"wrong %", "kernel", "position cm", "clean cm", "within 2x %", "wrong kept %", "right rejected %"},
@@ -106,7 +104,7 @@ Table SizeTable(const std::vector<SizeTrial>& trials) {
 }
 
 /// The same groups' times, which are not deterministic: for timing.json and to print.
-Table TimeTable(const std::vector<SizeTrial>& trials) {
+Table SizeTimeTable(const std::vector<SizeTrial>& trials) {
   Table table{{"poses", "optimize ms", "certify ms", "covariances ms"}, {}};
   for (const auto& group : Grouped(trials, [](const auto&a, const auto&b) { return a.poses == b.poses; })) {
     const auto ms = [&](double SizeTrial::*seconds) {
@@ -149,7 +147,7 @@ std::vector<Trial> ForAll(const std::string& what, const std::vector<double>& le
 std::string Report(const AblationGraphOptions& options, const std::vector<RobustTrial>& kernels,
                    const std::vector<StartTrial>& starts, const std::vector<SizeTrial>& sizes,
                    const RunDirectory& run) {
-  const Table times = TimeTable(sizes);
+  const Table times = SizeTimeTable(sizes);
   std::string text;
   const auto keep = [&](const std::string& name, const std::string& heading, const Table& table) {
     run.WriteCsv(name + ".csv", table);

@@ -17,7 +17,7 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr const char* kCheckpoint = "checkpoint.json";
+constexpr const char* kTrialsCheckpoint = "checkpoint.json";
 constexpr const char* kReference = "simultaneous";
 using Methods = std::vector<std::string>;
 
@@ -37,8 +37,8 @@ Methods ParseMethods(const std::string& names) {
 
 std::vector<LabelledTrial> TrialsSoFar(const RunDirectory& run) {
   std::vector<LabelledTrial> trials;
-  if (!std::filesystem::exists(run.path() / kCheckpoint)) return trials;
-  for (const Json& trial : Json::parse(run.ReadText(kCheckpoint)))
+  if (!std::filesystem::exists(run.path() / kTrialsCheckpoint)) return trials;
+  for (const Json& trial : Json::parse(run.ReadText(kTrialsCheckpoint)))
     trials.push_back(LabelledTrialFromJson(trial));
   return trials;
 }
@@ -46,7 +46,7 @@ std::vector<LabelledTrial> TrialsSoFar(const RunDirectory& run) {
 void WriteCheckpoint(const std::vector<LabelledTrial>& trials, const RunDirectory& run) {
   Json json = Json::array();
   for (const LabelledTrial& trial : trials) json.push_back(ToJson(trial));
-  run.WriteJson(kCheckpoint, json);
+  run.WriteJson(kTrialsCheckpoint, json);
 }
 
 /// All methods on one tour, with the odometry for comparison, and the truth for what the scanner leaves.
@@ -124,7 +124,7 @@ std::string RunAblationMatching(const AblationMatchingOptions& options, const Ru
     WriteCheckpoint(trials, run);
   }
   std::string text = Report(options, methods, trials, run);
-  std::filesystem::remove(run.path() / kCheckpoint);
+  std::filesystem::remove(run.path() / kTrialsCheckpoint);
   FinishRun(run, "Ways of matching many scans, on simulated tours", tours);
   return text;
 }

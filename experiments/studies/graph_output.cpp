@@ -15,7 +15,7 @@ using slam::Pose2;
 using slam::Pose3;
 using slam::PoseGraph;
 
-constexpr const char* kReadme =
+constexpr const char* kGraphReadme =
     R"(What this run has left (units m, rad, s)
 
 report.html     all of it at a glance, in any browser
@@ -69,7 +69,7 @@ void WriteTrajectory(const PoseGraph<Pose>& graph, const RunDirectory& run) {
 template <typename Pose>
 void WriteOptimizedGraph(const PoseGraph<Pose>& guess, const slam::OptimizeResult<Pose>& minimum,
                          const OptimizeOptions& options, const RunDirectory& run) {
-  run.WriteText("README.txt", kReadme);
+  run.WriteText("README.txt", kGraphReadme);
   PoseGraph<Pose> optimized = guess;  // with the information of the file, whatever was made small
   for (std::size_t i = 0; i < optimized.nodes.size(); ++i) {
     optimized.nodes[i].T_map_node = minimum.graph.nodes[i].T_map_node;

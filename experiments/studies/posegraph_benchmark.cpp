@@ -24,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What was found out about one graph.
-struct Row {
+struct FileRow {
   std::string name;
   std::size_t vertices = 0;
   std::size_t edges = 0;
@@ -74,7 +74,7 @@ std::map<std::string, double> ParseOptima(const std::string& text) {
 }
 
 template <typename Pose>
-void Measure(Row& row, const slam::G2oFile& file, const slam::PoseGraph<Pose>& graph,
+void Measure(FileRow& row, const slam::G2oFile& file, const slam::PoseGraph<Pose>& graph,
              const PosegraphBenchmarkOptions& options, ProgressDisplay& progress) {
   OptimizeOptions optimize;
   optimize.graph = options.graph;
@@ -100,8 +100,9 @@ void Measure(Row& row, const slam::G2oFile& file, const slam::PoseGraph<Pose>& g
   row.seconds["from_guess"] = TimesOf(from_guess);
 }
 
-Row MeasureFile(const fs::path& path, const PosegraphBenchmarkOptions& options, ProgressDisplay& progress) {
-  Row row;
+FileRow MeasureFile(const fs::path& path, const PosegraphBenchmarkOptions& options,
+                    ProgressDisplay& progress) {
+  FileRow row;
   row.name = path.stem().string();
   progress.Keep(row.name);
   const auto optima = ParseOptima(options.optima);
@@ -114,14 +115,14 @@ Row MeasureFile(const fs::path& path, const PosegraphBenchmarkOptions& options, 
 }
 
 /// All numbers with `digits`, or with all their digits where it is 0.
-Table GraphTable(const std::vector<Row>& rows, int digits) {
+Table GraphTable(const std::vector<FileRow>& rows, int digits) {
   const auto number = [digits](double value) {
     return digits > 0 ? fmt::format("{:.{}g}", value, digits) : Exact(value);
   };
   Table table{{"graph", "vertices", "edges", "F guess", "F start", "F", "known F", "difference", "verdict",
                "gap", "iterations", "information", "F from guess", "verdict from guess"},
               {}};
-  for (const Row& row : rows) {
+  for (const FileRow& row : rows) {
     table.rows.push_back(
         {row.name, std::to_string(row.vertices), std::to_string(row.edges), number(row.guess),
          number(row.start), number(row.minimum), row.known ? Exact(*row.known) : "",
@@ -134,11 +135,11 @@ Table GraphTable(const std::vector<Row>& rows, int digits) {
   return table;
 }
 
-Table SecondsTable(const std::vector<Row>& rows) {
+Table SecondsTable(const std::vector<FileRow>& rows) {
   Table table{{"graph", "read", "optimize", "of it start", "symbolic", "linearize", "factorize", "solve",
                "certificate", "[ms]"},
               {}};
-  for (const Row& row : rows) {
+  for (const FileRow& row : rows) {
     const Json& isotropic = row.seconds.at("isotropic_s");
     std::vector<std::string> cells{row.name};
     const auto add = [&](const Json& seconds) {
@@ -154,7 +155,7 @@ Table SecondsTable(const std::vector<Row>& rows) {
   return table;
 }
 
-Json ToJson(const Row& row) {
+Json ToJson(const FileRow& row) {
   Json json = {{"graph", row.name},
                {"objective", row.minimum},
                {"verdict", VerdictOf(row.certificate)},
@@ -167,9 +168,9 @@ Json ToJson(const Row& row) {
   return json;
 }
 
-std::string ProblemOf(const std::vector<Row>& rows, double tolerance) {
+std::string ProblemOf(const std::vector<FileRow>& rows, double tolerance) {
   std::vector<std::string> missed;
-  for (const Row& row : rows) {
+  for (const FileRow& row : rows) {
     const bool certified = row.certificate.verdict == slam::CertificateVerdict::kOptimal;
     if (row.known && (row.Difference() > tolerance || !certified)) missed.push_back(row.name);
   }
@@ -188,7 +189,7 @@ PosegraphBenchmarkSummary RunPosegraphBenchmark(const PosegraphBenchmarkOptions&
                                                 const RunDirectory& run, ProgressDisplay& progress) {
   const std::vector<fs::path> graphs = FindGraphs(options.folder);
   WriteManifest(run, graphs);
-  std::vector<Row> rows;
+  std::vector<FileRow> rows;
   Json metrics = Json::array(), timing = Json::object();
   for (const fs::path& graph : graphs) {
     run.WriteProgress("running", rows.size(), graphs.size());

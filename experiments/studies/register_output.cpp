@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t kPicturePoints =
     4'000'000;  // of all scans together; pictures do not get better with more
 
-constexpr const char* kReadme =
+constexpr const char* kRegisterReadme =
     R"(What this run has left (units m, rad, s; x forward, y left, z up)
 
 report.html     all of it at a glance, in any browser
@@ -48,7 +48,7 @@ timing.json     how long it took; the only file that differs from run to run
 )";
 
 void WriteTables(const RegisterLog& log, const RunDirectory& run) {
-  run.WriteText("README.txt", kReadme);
+  run.WriteText("README.txt", kRegisterReadme);
   run.WriteCsv("scans.csv", log.scans);
   run.WriteCsv("steps.csv", log.steps);
   run.WriteCsv("iterations.csv", log.iterations);

@@ -11,8 +11,6 @@
 namespace ariadne::experiments {
 namespace {
 
-std::string Percent(double share) { return fmt::format("{:.1f}", 100.0 * share); }
-
 /// The table of the run, with times and in handy units.
 Table SummaryTable(const RegisterLog& log, const std::vector<double>& match_seconds) {
   Table table{{"scan", "name", "partner", "pairs", "overlap %", "rms cm", "moved cm", "moved deg",

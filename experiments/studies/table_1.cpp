@@ -13,17 +13,17 @@ namespace ariadne::experiments {
 namespace {
 
 /// A row of the table, with what the paper reports of it on a Pentium-III-800.
-struct Row {
+struct PaperRow {
   std::string points;
   slam::Search search;
   double paper_seconds;
   int paper_iterations;
 };
 
-const std::vector<Row> kRows{{"all", slam::Search::kBruteForce, 3 * 3600.0 + 47 * 60.0, 27},
-                             {"reduced", slam::Search::kBruteForce, 3 * 60.0 + 6.0, 25},
-                             {"all", slam::Search::kKdTree, 6.0, 27},
-                             {"reduced", slam::Search::kKdTree, 1.4, 25}};
+const std::vector<PaperRow> kRows{{"all", slam::Search::kBruteForce, 3 * 3600.0 + 47 * 60.0, 27},
+                                  {"reduced", slam::Search::kBruteForce, 3 * 60.0 + 6.0, 25},
+                                  {"all", slam::Search::kKdTree, 6.0, 27},
+                                  {"reduced", slam::Search::kKdTree, 1.4, 25}};
 
 struct Measured {
   slam::AlignResult align;
@@ -44,7 +44,7 @@ Measured Measure(const slam::PointCloud& model, const slam::PointCloud& data,
   return measured;
 }
 
-Json ToJson(const Row& row, std::size_t points, const slam::AlignResult& align) {
+Json ToJson(const PaperRow& row, std::size_t points, const slam::AlignResult& align) {
   const Eigen::Vector3d& t = align.T_model_data.translation;
   const Eigen::Quaterniond& q = align.T_model_data.rotation;
   return {{"points", row.points},
@@ -66,7 +66,7 @@ std::string RunTable1(const Table1Options& options, const RunDirectory& run, Pro
   std::vector<Measured> measured;
   Table table{
       {"points", "search", "time", "iterations", "ratio", "paper", "paper iterations", "paper ratio"}, {}};
-  for (const Row& row : kRows) {
+  for (const PaperRow& row : kRows) {
     progress.Keep(fmt::format("{} points, {} ...", row.points, NameOf(row.search)));
     run.WriteProgress("running", measured.size(), kRows.size());
     const bool reduce = row.points == "reduced";

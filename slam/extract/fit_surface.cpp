@@ -8,12 +8,11 @@
 namespace ariadne::slam {
 namespace {
 
-using Points = std::span<const Eigen::Vector3d>;
+using PointsInSpace = std::span<const Eigen::Vector3d>;
 
 // The weights depend on the plane only through the angles at which the beams meet it: it settles at once.
-constexpr int kReweightings = 2;
+constexpr int kPlaneReweightings = 2;
 constexpr double kOnALine = 1e-12;  // share of the middle variance in the largest, below which is rounding
-constexpr double kLeast = 1e-3;     // of range_sigma: a beam along the plane has no infinite weight
 
 /// Weighted mean and scatter.
 struct SpaceMoments {
@@ -22,7 +21,7 @@ struct SpaceMoments {
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();
 };
 
-SpaceMoments Gather(Points points, const auto& weight_of) {
+SpaceMoments Gather(PointsInSpace points, const auto& weight_of) {
   SpaceMoments moments;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& p : points) {
@@ -56,7 +55,7 @@ struct PlaneSums {
   double squares = 0.0;  // [m^2]
 };
 
-PlaneSums Sum(Points points_laser, const Pose3& T_laser_plane, const SliceNoise& noise) {
+PlaneSums Sum(PointsInSpace points_laser, const Pose3& T_laser_plane, const SliceNoise& noise) {
   const Eigen::Vector3d normal = T_laser_plane.rotation * Eigen::Vector3d::UnitZ();
   const Eigen::Matrix3d to_plane = T_laser_plane.RotationMatrix().transpose();
   const double middle = T_laser_plane.translation.norm();
@@ -93,7 +92,8 @@ double SigmaAcross(const Eigen::Vector3d& normal, const Eigen::Vector3d& p, cons
   if (range == 0.0) return noise.range_sigma;  // from no direction
   const double ahead = normal.dot(p) / range;
   const double aside = range * std::sqrt(std::max(0.0, 1.0 - ahead * ahead));
-  return std::hypot(noise.range_sigma * ahead, noise.bearing_sigma * aside) + kLeast * noise.range_sigma;
+  return std::hypot(noise.range_sigma * ahead, noise.bearing_sigma * aside) +
+         kLeastSigma * noise.range_sigma;
 }
 
 double SystematicAcross(const Eigen::Vector3d& normal, const Eigen::Vector3d& p, double difference,
@@ -104,11 +104,11 @@ double SystematicAcross(const Eigen::Vector3d& normal, const Eigen::Vector3d& p,
   return noise.systematic_sigma * ahead * std::min(1.0, std::abs(difference) / noise.systematic_length);
 }
 
-std::optional<PlanarSurface> FitSurface(Points points_laser, const SliceNoise& noise) {
+std::optional<PlanarSurface> FitSurface(PointsInSpace points_laser, const SliceNoise& noise) {
   if (points_laser.size() < 3) return std::nullopt;
   SpaceMoments moments = Gather(points_laser, [](const Eigen::Vector3d&) { return 1.0; });
   std::optional<Eigen::Vector3d> normal = NormalOf(moments);
-  for (int pass = 0; pass < kReweightings && normal; ++pass) {
+  for (int pass = 0; pass < kPlaneReweightings && normal; ++pass) {
     moments = Gather(points_laser, [&](const Eigen::Vector3d& p) {
       return std::pow(SigmaAcross(*normal, p, noise), -2);
     });

@@ -8,7 +8,7 @@ namespace ariadne::slam {
 namespace {
 
 using Points = std::span<const Eigen::Vector2d>;
-using Indices = std::vector<std::size_t>;
+using IndexList = std::vector<std::size_t>;
 using Peak = HoughAccumulator::Peak;
 
 /// What a point has been taken for. An end point of ordered data may serve a second line.
@@ -17,11 +17,11 @@ enum class Use : char { kFree, kEnd, kSpent, kOutside };
 bool MayServe(Use use) { return use == Use::kFree || use == Use::kEnd; }
 
 /// The points near the line, along the axis that it is steeper to.
-Indices CollectNear(Points points, const std::vector<Use>& uses, const Peak& peak,
-                    const HoughOptions& options) {
+IndexList CollectNear(Points points, const std::vector<Use>& uses, const Peak& peak,
+                      const HoughOptions& options) {
   const Eigen::Vector2d normal(std::cos(peak.theta), std::sin(peak.theta));
   const double limit = options.line_distance * normal.cwiseAbs().maxCoeff();
-  Indices near;
+  IndexList near;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (MayServe(uses[i]) && std::abs(normal.dot(points[i]) - peak.offset) <= limit) near.push_back(i);
   }
@@ -29,8 +29,8 @@ Indices CollectNear(Points points, const std::vector<Use>& uses, const Peak& pea
 }
 
 /// Cuts a sequence of points where two neighbours are apart.
-std::vector<Indices> CutWhere(const Indices& sequence, const auto& apart) {
-  std::vector<Indices> parts;
+std::vector<IndexList> CutWhere(const IndexList& sequence, const auto& apart) {
+  std::vector<IndexList> parts;
   for (const std::size_t i : sequence) {
     if (parts.empty() || apart(parts.back().back(), i)) parts.emplace_back();
     parts.back().push_back(i);
@@ -38,20 +38,20 @@ std::vector<Indices> CutWhere(const Indices& sequence, const auto& apart) {
   return parts;
 }
 
-std::vector<Indices> CutOrdered(Points points, const Indices& near, const HoughOptions& options) {
+std::vector<IndexList> CutOrdered(Points points, const IndexList& near, const HoughOptions& options) {
   return CutWhere(
       near, [&](std::size_t a, std::size_t b) { return (points[b] - points[a]).norm() > options.max_gap; });
 }
 
-std::vector<Indices> CutUnordered(Points points, Indices near, const Peak& peak,
-                                  const HoughOptions& options) {
+std::vector<IndexList> CutUnordered(Points points, IndexList near, const Peak& peak,
+                                    const HoughOptions& options) {
   const Eigen::Vector2d tangent(-std::sin(peak.theta), std::cos(peak.theta));
   const auto bin_of = [&](std::size_t i) { return std::floor(tangent.dot(points[i]) / options.bin); };
   std::ranges::stable_sort(near, {}, [&](std::size_t i) { return tangent.dot(points[i]); });
-  std::vector<Indices> parts = CutWhere(near, [&](std::size_t a, std::size_t b) {
+  std::vector<IndexList> parts = CutWhere(near, [&](std::size_t a, std::size_t b) {
     return bin_of(b) - bin_of(a) - 1.0 > options.max_empty_bins;
   });
-  for (Indices& part : parts) std::ranges::sort(part);
+  for (IndexList& part : parts) std::ranges::sort(part);
   return parts;
 }
 
@@ -96,11 +96,11 @@ std::vector<LineSegment> DetectByHough(Points points, const HoughOptions& option
     const Peak peak = accumulator.Highest();
     if (peak.votes <= 0) break;
     accumulator.Close(peak);  // what is left of its points is not collected by the same cell again
-    const Indices near = CollectNear(points, uses, peak, options);
-    const std::vector<Indices> parts = options.order == PointOrder::kOrdered
-                                           ? CutOrdered(points, near, options)
-                                           : CutUnordered(points, near, peak, options);
-    for (const Indices& part : parts) {
+    const IndexList near = CollectNear(points, uses, peak, options);
+    const std::vector<IndexList> parts = options.order == PointOrder::kOrdered
+                                             ? CutOrdered(points, near, options)
+                                             : CutUnordered(points, near, peak, options);
+    for (const IndexList& part : parts) {
       if (part.size() < static_cast<std::size_t>(options.min_points)) continue;
       std::optional<LineSegment> segment = FitSegment(points, part, options.noise);
       if (!segment) continue;

@@ -32,6 +32,9 @@ struct SliceNoise {
   }
 };
 
+/// Of range_sigma: a beam along a line or a plane has no infinite weight.
+inline constexpr double kLeastSigma = 1e-3;
+
 /// Sigma across a line with this unit normal, of a point that the scanner at the origin sees, without the
 /// systematic part [m].
 double SigmaAcross(const Eigen::Vector2d& normal, const Eigen::Vector2d& p, const SliceNoise& noise);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostCells = 12;    // to each side, where a point is very near
 constexpr std::size_t kCellsVisited = 3;  // of these, about
-constexpr double kOnALine = 0.02;         // variance on the middle axis by that on the longest: no plane
+constexpr double kLineLike = 0.02;         // variance on the middle axis by that on the longest: no plane
 
 std::size_t CellsIn(double radius, double range, double step) {
   const double cells = std::ceil(radius / std::max(1e-9, range * step));
@@ -32,7 +32,7 @@ SurfaceNormal NormalAt(const PointCloud& cloud_laser, const DirectionGrid& grid,
   SurfaceNormal surface;
   if (moments.count() < options.min_neighbors) return surface;
   const PlaneFit fit = FitPlane(moments);
-  if (fit.variances[1] <= kOnALine * fit.variances[2]) return surface;
+  if (fit.variances[1] <= kLineLike * fit.variances[2]) return surface;
   surface.normal = fit.plane.normal.dot(p) > 0.0 ? Eigen::Vector3d(-fit.plane.normal) : fit.plane.normal;
   surface.mean = moments.Mean();
   surface.rms = std::sqrt(fit.variances[0]);

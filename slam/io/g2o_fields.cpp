@@ -14,8 +14,6 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
-
 /// A symmetric matrix from the rows of its upper triangle.
 template <int kSize>
 Eigen::Matrix<double, kSize, kSize> FromUpperTriangle(std::span<const double> n) {

@@ -96,11 +96,11 @@ std::optional<InitialPoses> ReadBesideScans(const ScanList& list, std::string_vi
 }
 
 std::optional<fs::path> FindPoseFile(const fs::path& folder) {
-  constexpr std::array<std::string_view, 3> kNames{"initial_poses.txt", "poses.txt", "trajectory.tum"};
+  constexpr std::array<std::string_view, 3> kFileNames{"initial_poses.txt", "poses.txt", "trajectory.tum"};
   // The slash at the end makes "scans" and "scans/" the same to parent_path.
   const fs::path absolute = (fs::absolute(folder).lexically_normal() / "").parent_path();
   for (const fs::path& place : {absolute, absolute.parent_path()}) {
-    for (const std::string_view name : kNames) {
+    for (const std::string_view name : kFileNames) {
       if (IsFile(place / name)) return place / name;
     }
   }

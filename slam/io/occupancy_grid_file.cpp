@@ -36,7 +36,7 @@ void PutImage(std::ostream& out, const OccupancyGrid& grid) {
 }
 
 /// As a string of YAML in double quotes.
-std::string Quoted(const std::string& text) {
+std::string QuotedForYaml(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') quoted += '\\';
@@ -46,7 +46,7 @@ std::string Quoted(const std::string& text) {
 }
 
 void PutYaml(std::ostream& out, const OccupancyGrid& grid, const std::string& image) {
-  out << "image: " << Quoted(image) << '\n';
+  out << "image: " << QuotedForYaml(image) << '\n';
   out << fmt::format("mode: trinary\nresolution: {}\n", grid.resolution);
   out << fmt::format("origin: [{}, {}, 0.0]\n", grid.origin_map.x(), grid.origin_map.y());
   out << "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n";

@@ -9,7 +9,7 @@
 namespace ariadne::slam {
 namespace {
 
-using Words = std::span<const std::string_view>;
+using HeaderWords = std::span<const std::string_view>;
 
 std::optional<ScalarType> ParseType(std::string_view word) {
   if (word == "char" || word == "int8") return ScalarType::kInt8;
@@ -31,7 +31,7 @@ ScalarType RequireType(const StreamReader& reader, std::string_view word) {
   return *type;
 }
 
-PlyFormat ParseFormat(const StreamReader& reader, Words words) {
+PlyFormat ParseFormat(const StreamReader& reader, HeaderWords words) {
   const std::string_view format = words.size() == 3 && words[2] == "1.0" ? words[1] : "";
   if (format == "ascii") return PlyFormat::kAscii;
   if (format == "binary_little_endian") return PlyFormat::kBinaryLittleEndian;
@@ -39,7 +39,7 @@ PlyFormat ParseFormat(const StreamReader& reader, Words words) {
   reader.FailAtLine("expected 'format ascii 1.0', binary_little_endian or binary_big_endian");
 }
 
-PlyElement ParseElement(const StreamReader& reader, Words words) {
+PlyElement ParseElement(const StreamReader& reader, HeaderWords words) {
   if (words.size() != 3) reader.FailAtLine("expected 'element <name> <count>'");
   const std::optional<std::uint64_t> count = ParseCount(words[2]);
   if (!count) reader.FailAtLine("{} is not a number of elements", Quoted(words[2]));
@@ -50,7 +50,7 @@ PlyElement ParseElement(const StreamReader& reader, Words words) {
   return element;
 }
 
-PlyProperty ParseProperty(const StreamReader& reader, Words words) {
+PlyProperty ParseProperty(const StreamReader& reader, HeaderWords words) {
   PlyProperty property;
   property.name = words.back();
   if (words.size() == 3) {

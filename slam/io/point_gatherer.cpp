@@ -12,7 +12,7 @@ namespace {
 
 // Normals that are unit to the precision of their text or float are left as they are, so that writing
 // what was read gives the same bytes.
-constexpr double kUnitTolerance = 1e-5;
+constexpr double kNormalTolerance = 1e-5;
 
 constexpr std::string_view kInfiniteReflectance = "has a reflectance that does not fit a float";
 
@@ -40,7 +40,7 @@ void CopyVectors(std::span<const Column> columns, const std::array<std::size_t, 
 std::optional<Eigen::Vector3d> UnitNormal(const Eigen::Vector3d& vector) {
   const double length = vector.norm();
   if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
-  if (std::abs(length - 1.0) <= kUnitTolerance) return vector;
+  if (std::abs(length - 1.0) <= kNormalTolerance) return vector;
   return vector / length;
 }
 

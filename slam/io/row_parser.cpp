@@ -7,8 +7,6 @@
 namespace ariadne::slam {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
-
 bool IsBlank(char c) { return c == ' ' || c == '\t'; }
 
 }  // namespace

@@ -10,6 +10,9 @@
 
 namespace ariadne::slam {
 
+/// What separates words.
+inline constexpr std::string_view kBlanks = " \t";
+
 /// Turns lines into rows of numbers.
 class RowParser {
  public:

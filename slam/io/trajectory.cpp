@@ -15,12 +15,12 @@ namespace ariadne::slam {
 namespace {
 
 constexpr std::string_view kTumColumns = "stamp tx ty tz qx qy qz qw";
-constexpr double kUnitTolerance = 1e-3;
+constexpr double kQuaternionTolerance = 1e-3;
 
 /// A quaternion that is unit to the last digits stays as it is, so that what was written is read again.
 Eigen::Quaterniond Normalized(const StreamReader& reader, const Eigen::Quaterniond& q) {
   const double norm = q.norm();
-  if (!(std::abs(norm - 1.0) <= kUnitTolerance)) {
+  if (!(std::abs(norm - 1.0) <= kQuaternionTolerance)) {
     reader.FailAtLine("the quaternion has length {:.6g} instead of 1; order them qx qy qz qw", norm);
   }
   return std::abs(norm - 1.0) < 4.0 * std::numeric_limits<double>::epsilon() ? q : q.normalized();

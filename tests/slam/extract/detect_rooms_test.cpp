@@ -6,6 +6,7 @@
 #include <string>
 #include <tuple>
 
+#include "experiments/metrics/statistics.h"
 #include "slam/extract/detect_lines.h"
 #include "slam/geometry/angles.h"
 #include "tests/slam/extract/simulated_slice.h"
@@ -13,6 +14,8 @@
 /// Every detector with its defaults, in rooms that it was not tuned on.
 namespace ariadne::slam {
 namespace {
+
+using experiments::Median;
 
 constexpr std::uint64_t kFirstSeed = 1001;
 constexpr std::size_t kRooms = 60;
@@ -45,12 +48,6 @@ std::vector<Eigen::Vector2d> Shuffled(std::vector<Eigen::Vector2d> points) {
   RandomStream stream = NamedStream(1, "detect_rooms/shuffle");
   for (std::size_t i = points.size(); i > 1; --i) std::swap(points[i - 1], points[stream() % i]);
   return points;
-}
-
-double Median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 class DetectRooms : public testing::TestWithParam<Detector> {

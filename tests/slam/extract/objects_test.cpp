@@ -24,19 +24,19 @@ PlanarSurface Rectangle(const Eigen::Vector3d& center, const Eigen::Vector3d& no
 const Eigen::Vector3d kAhead = Eigen::Vector3d::UnitX(), kUp = Eigen::Vector3d::UnitZ();
 
 /// The far wall of a room of 6 x 4 x 2.7 m, its floor and its ceiling.
-std::vector<PlanarSurface> Room() {
+std::vector<PlanarSurface> SurfacesOfRoom() {
   return {Rectangle({6, 0, 1.35}, -kAhead, 4.0, 2.7), Rectangle({3, 0, 0}, kUp, 6.0, 4.0),
           Rectangle({3, 0, 2.7}, -kUp, 6.0, 4.0)};
 }
 
 SurfaceClass ClassOf(const PlanarSurface& surface) {
-  std::vector<PlanarSurface> surfaces = Room();
+  std::vector<PlanarSurface> surfaces = SurfacesOfRoom();
   surfaces.push_back(surface);
   return ClassifySurfaces(surfaces, {}).back();
 }
 
 TEST(ClassifySurfaces, TellsStructureFromThings) {
-  EXPECT_THAT(ClassifySurfaces(Room(), {}),
+  EXPECT_THAT(ClassifySurfaces(SurfacesOfRoom(), {}),
               testing::ElementsAre(SurfaceClass::kWall, SurfaceClass::kFloor, SurfaceClass::kCeiling));
   EXPECT_EQ(ClassOf(Rectangle({2, 1, 0.02}, kUp, 1, 1)), SurfaceClass::kFloor);             // a rug
   EXPECT_EQ(ClassOf(Rectangle({2, 1, 0.74}, kUp, 1.6, 0.8)), SurfaceClass::kObject);        // a table,
@@ -49,7 +49,7 @@ TEST(ClassifySurfaces, TellsStructureFromThings) {
 }
 
 TEST(SegmentObjects, MergesBoxesBetweenWhichTheRobotDoesNotFit) {
-  std::vector<PlanarSurface> surfaces = Room();
+  std::vector<PlanarSurface> surfaces = SurfacesOfRoom();
   surfaces.push_back(Rectangle({3.0, 0.0, 0.5}, -kAhead, 0.4, 1.0));
   surfaces.push_back(Rectangle({3.0, 0.9, 0.5}, -kAhead, 0.4, 1.0));   // 0.5 m between them
   surfaces.push_back(Rectangle({3.0, -1.2, 0.5}, -kAhead, 0.4, 1.2));  // 0.8 m
@@ -64,12 +64,13 @@ TEST(SegmentObjects, MergesBoxesBetweenWhichTheRobotDoesNotFit) {
 
 TEST(SegmentObjects, LeavesOutWhatIsSmallAndTakesNothing) {
   EXPECT_TRUE(SegmentObjects({}, {}).empty());
-  EXPECT_TRUE(SegmentObjects(Room(), {}).empty());
+  EXPECT_TRUE(SegmentObjects(SurfacesOfRoom(), {}).empty());
   const std::vector<PlanarSurface> speck{Rectangle({3.0, 0.0, 0.5}, -kAhead, 0.2, 0.2)};
   EXPECT_TRUE(SegmentObjects(speck, {}).empty());
   ObjectOptions wrong;
   wrong.robot_size = -1.0;
-  EXPECT_THAT(ErrorOf([&] { SegmentObjects(Room(), wrong); }), testing::HasSubstr("objects.robot_size"));
+  EXPECT_THAT(ErrorOf([&] { SegmentObjects(SurfacesOfRoom(), wrong); }),
+              testing::HasSubstr("objects.robot_size"));
 }
 
 // Fig. 2.

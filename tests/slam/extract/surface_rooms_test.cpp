@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/metrics/statistics.h"
 #include "experiments/metrics/surface_detection.h"
 #include "slam/extract/extract_surfaces.h"
 #include "slam/geometry/angles.h"
@@ -14,6 +15,7 @@
 namespace ariadne::slam {
 namespace {
 
+using experiments::Median;
 using experiments::SurfaceScore;
 
 constexpr std::uint64_t kSeeds = 50;
@@ -52,11 +54,6 @@ const std::vector<SimulatedScan>& Scans() {
     return scans;
   }();
   return kScans;
-}
-
-double Median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
 class SurfaceRooms : public testing::TestWithParam<SurfaceMethod> {

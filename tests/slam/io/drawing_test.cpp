@@ -25,9 +25,9 @@ using testing::Pair;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
-using Write = std::function<void(const fs::path&, const Drawing&)>;
+using WriteDrawing = std::function<void(const fs::path&, const Drawing&)>;
 
-const std::map<std::string, Write> kWriters{
+const std::map<std::string, WriteDrawing> kDrawingWriters{
     {"plan.dxf", [](const fs::path& path, const Drawing& drawing) { WriteDxf(path, drawing); }},
     {"plan.svg", [](const fs::path& path, const Drawing& drawing) { WriteSvg(path, drawing); }},
     {"plan.wrl", [](const fs::path& path, const Drawing& drawing) { WriteVrml(path, drawing); }}};
@@ -226,7 +226,7 @@ TEST(Vrml, ClosesWhatItOpens) {
 void ExpectRefused(const std::function<void(Drawing&)>& damage, const std::string& sentence) {
   Drawing drawing = SmallDrawing();
   damage(drawing);
-  for (const auto& [name, write] : kWriters) {
+  for (const auto& [name, write] : kDrawingWriters) {
     const TemporaryFolder folder;
     const std::string error = ErrorOf([&] { write(folder / name, drawing); });
     EXPECT_EQ(error, (folder / name).string() + ": cannot be written: " + sentence);
@@ -260,7 +260,7 @@ TEST(Drawings, AreRefusedWhereTheyAreDamaged) {
 }
 
 TEST(Drawings, LeaveTheOldFileWhereTheNewOneFails) {
-  for (const auto& [name, write] : kWriters) {
+  for (const auto& [name, write] : kDrawingWriters) {
     const TemporaryFolder folder;
     folder.Write(name, "old");
     Drawing damaged = SmallDrawing();
@@ -282,7 +282,7 @@ struct CommaAndGroups : std::numpunct<char> {
 };
 
 TEST(Drawings, HaveTheSameBytesInEveryLocale) {
-  for (const auto& [name, write] : kWriters) {
+  for (const auto& [name, write] : kDrawingWriters) {
     const TemporaryFolder folder;
     write(folder / name, SmallDrawing());
     const std::locale before = std::locale::global(std::locale(std::locale(), new CommaAndGroups));

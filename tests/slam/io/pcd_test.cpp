@@ -16,13 +16,6 @@ using testing::HasSubstr;
 constexpr PcdEncoding kEncodings[] = {PcdEncoding::kAscii, PcdEncoding::kBinary,
                                       PcdEncoding::kBinaryCompressed};
 
-template <typename... T>
-std::string Bytes(T... numbers) {
-  std::string bytes;
-  (bytes.append(reinterpret_cast<const char*>(&numbers), sizeof(T)), ...);
-  return bytes;
-}
-
 /// A header of lines 1 to 10 for x y z as floats.
 std::string Header(int width, int height, const std::string& data) {
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\n"

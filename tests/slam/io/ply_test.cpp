@@ -14,14 +14,6 @@ namespace {
 using namespace testing_support;
 using testing::HasSubstr;
 
-/// The bytes of numbers one after the other.
-template <typename... T>
-std::string Bytes(T... numbers) {
-  std::string bytes;
-  (bytes.append(reinterpret_cast<const char*>(&numbers), sizeof(T)), ...);
-  return bytes;
-}
-
 template <typename T>
 T Swapped(T number) {
   std::string bytes = Bytes(number);

@@ -50,6 +50,14 @@ inline std::string ContentOf(const fs::path& path) {
 
 using ariadne::ErrorOf;
 
+/// The bytes of numbers one after the other.
+template <typename... T>
+std::string Bytes(T... numbers) {
+  std::string bytes;
+  (bytes.append(reinterpret_cast<const char*>(&numbers), sizeof(T)), ...);
+  return bytes;
+}
+
 /// With CRLF instead of LF.
 inline std::string WithWindowsLines(const std::string& text) {
   std::string windows;
