@@ -193,7 +193,7 @@ TEST(Octree, MeansStayExactOverManyVisits) {
   RandomStream stream = NamedStream(8, "visits");
   Octree tree(kOptions);
   Eigen::Matrix<long double, 3, 1> sum = Eigen::Matrix<long double, 3, 1>::Zero();
-  constexpr int kVisits = 300000;
+  constexpr int kVisits = 1000000;
   PointCloud
       cloud_map;  // each point of the leaf at 40 m comes after one elsewhere, and is stored by itself
   for (int i = 0; i < kVisits; ++i) {
