@@ -12,7 +12,7 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct ExportArguments {
   std::string run;
   std::string format;
   std::string part;
@@ -20,13 +20,13 @@ struct Arguments {
   std::vector<std::string> assignments;
 };
 
-ExportPart PartOf(const Arguments& arguments, slam::ExportFormat format) {
+ExportPart PartOf(const ExportArguments& arguments, slam::ExportFormat format) {
   if (arguments.part.empty()) return UsualPart(format);
   constexpr auto& kNames = EnumNames<ExportPart>::value;
   return static_cast<ExportPart>(std::ranges::find(kNames, arguments.part) - kNames.begin());
 }
 
-void Export(const Arguments& arguments) {
+void Export(const ExportArguments& arguments) {
   OptionEntries entries;
   for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
   const auto options = ReadOptions<ModelOptions>(entries);
@@ -57,7 +57,7 @@ std::string FormatHelp() {
 void AddExportCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("export", "Write the model of a registered run for other programs");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExportArguments>();
   command->add_option("run", arguments->run, "Run directory of ariadne register")->required();
   command->add_option("--to", arguments->format, "dxf, svg, vrml, ply, glb, bt, ot or pgm")->required();
   command

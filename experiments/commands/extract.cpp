@@ -11,14 +11,14 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct ExtractArguments {
   std::string folder;
   std::string format = "auto";
   std::vector<std::string> assignments;
   RunTarget target;
 };
 
-void Extract(const Arguments& arguments) {
+void Extract(const ExtractArguments& arguments) {
   OptionEntries entries;
   entries.Set("input.folder=" + arguments.folder);
   entries.Set("input.format=" + arguments.format);
@@ -37,7 +37,7 @@ void Extract(const Arguments& arguments) {
 void AddExtractCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("extract", "Find lines, edge points, surfaces and objects in scans");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ExtractArguments>();
   command->add_option("folder", arguments->folder, "Folder of scans, builtin:office or builtin:tour")
       ->required();
   command->add_option("--format", arguments->format, "uos, xyz, ply, pcd or kitti; auto: by extension");

@@ -11,13 +11,13 @@
 namespace ariadne::experiments {
 namespace {
 
-struct Arguments {
+struct MapArguments {
   std::string run;
   std::vector<std::string> assignments;
   RunTarget target;
 };
 
-void Map(const Arguments& arguments) {
+void Map(const MapArguments& arguments) {
   OptionEntries entries;
   entries.Set("run=" + arguments.run);
   for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
@@ -36,7 +36,7 @@ void Map(const Arguments& arguments) {
 void AddMapCommand(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("map", "Make a model of a registered run: surfaces, voxels, meshes, plans, grids");
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<MapArguments>();
   command->add_option("run", arguments->run, "Run directory of ariadne register")->required();
   command->add_option("--out", arguments->target.out, "Directory of the model; without it: RUN/model");
   AddSetFlag(*command, arguments->assignments);

@@ -74,8 +74,8 @@ std::map<std::string, double> ParseOptima(const std::string& text) {
 }
 
 template <typename Pose>
-void Measure(FileRow& row, const slam::G2oFile& file, const slam::PoseGraph<Pose>& graph,
-             const PosegraphBenchmarkOptions& options, ProgressDisplay& progress) {
+void MeasureGraph(FileRow& row, const slam::G2oFile& file, const slam::PoseGraph<Pose>& graph,
+                  const PosegraphBenchmarkOptions& options, ProgressDisplay& progress) {
   OptimizeOptions optimize;
   optimize.graph = options.graph;
   optimize.certify = true;
@@ -110,7 +110,7 @@ FileRow MeasureFile(const fs::path& path, const PosegraphBenchmarkOptions& optio
   const Stopwatch reading;
   const slam::G2oFile file = slam::ReadFile(path, slam::ReadG2o);
   row.seconds = {{"read_s", reading.Seconds()}};
-  std::visit([&](const auto& graph) { Measure(row, file, graph, options, progress); }, file.graph);
+  std::visit([&](const auto& graph) { MeasureGraph(row, file, graph, options, progress); }, file.graph);
   return row;
 }
 
