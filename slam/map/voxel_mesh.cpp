@@ -86,12 +86,12 @@ std::vector<Rgb> ColorsOf(std::span<const OctreeCell> cells, VoxelColoring color
 
 /// Adds the faces of a cell that have no neighbour, with the corners that they need.
 void AddCell(TriangleMesh& mesh, const OctreeCell& cell, const Neighborhood& cells, const Rgb& color) {
-  constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
   std::array<std::uint32_t, 8> vertices;
-  vertices.fill(kNone);
+  vertices.fill(kNoVertex);
   const auto vertex = [&](unsigned corner) {
-    if (vertices[corner] == kNone) {
-      if (mesh.vertices.size() >= kNone)
+    if (vertices[corner] == kNoVertex) {
+      if (mesh.vertices.size() >= kNoVertex)
         Fail("a mesh of so many voxels has more vertices than 32 bits count");
       vertices[corner] = static_cast<std::uint32_t>(mesh.vertices.size());
       mesh.vertices.push_back(CornerOf(cell, corner));
