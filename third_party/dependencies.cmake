@@ -55,6 +55,8 @@ target_compile_options(ariadne_flags INTERFACE
   $<$<BOOL:${ARIADNE_WERROR}>:-Werror>
   # gcc 12 sees Eigen's 4-wide path for a 3-vector, which is never taken, as out of bounds.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds>
+  # A unity build includes .cpp files, and gcc takes what they hide for what a header would give away.
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   # Without contraction a*b+c is rounded the same way in every function that writes it, so brute force
   # and k-d tree find identical distances, and a debug build the same bytes as a release build.
   -ffp-contract=off)
