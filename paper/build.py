@@ -131,15 +131,25 @@ def garage(values, experiments):
 
 
 def corridor(values, experiments):
-    say("the simulated corridor: Fig. 2, Fig. 4, matching over many tours (takes a quarter of an hour)")
-    fig_02 = experiments.run("fig_02")
-    for name in ("distorted", "corrected"):
-        shutil.copyfile(fig_02 / "figures" / f"{name}.png", BUILD / f"fig_02_{name}.png")
+    say("the simulated corridor: Fig. 4, matching over many tours (takes a quarter of an hour)")
     fig_04 = experiments.run("fig_04")
     shutil.copyfile(fig_04 / "figures" / "fig_04.png", BUILD / "fig_04.png")
-    stacked_parts(values, "fig_04", 6, gap=24)
+    stacked_parts(values, "fig_04", 7, gap=24)
     v.add_options(values, "fig4", fig_04)
     matching(values, "matching", experiments.run("ablation_matching"))
+
+
+def features(values, real_data, experiments):
+    say("lines, surfaces, objects and the octree: Fig. 2, Fig. 11, the detectors")
+    fig_02, fig_11 = experiments.run("fig_02"), experiments.run("fig_11")
+    for run, name in ((fig_02, "distorted"), (fig_02, "fig_02"), (fig_11, "fig_11")):
+        shutil.copyfile(run / "figures" / f"{name}.png", BUILD / f"{name}.png")
+    v.add_metrics(values, "fig2", fig_02)
+    v.add_metrics(values, "fig11", fig_11)
+    run = experiments.run("ablation_features")
+    v.add_options(values, "features", run)
+    for name in ("lines", "surfaces") + (("logs",) if real_data else ()):
+        (BUILD / f"table_{name}.tex").write_text(tables.features(v.read_csv(run / f"{name}.csv"), name))
 
 
 def loop(values, experiments):
@@ -164,7 +174,7 @@ def graphs(values, real_data, experiments):
 
 def copy_fig_05(run, name):
     """Copies the picture of a run, for a smaller print; returns the run."""
-    png.write(BUILD / f"{name}.png", png.bolder(png.read(run / "figures" / "reduced_and_all.png")))
+    png.write(BUILD / f"{name}.png", png.bolder(png.read(run / "figures" / "fig_05.png")))
     return run
 
 
@@ -255,6 +265,7 @@ def main():
             else:
                 say(f"no data sets in {data}: the paper says so in place of their results (set ARIADNE_DATA)")
             office_truth(values, experiments)
+            features(values, real_data, experiments)
             corridor(values, experiments)
             if real_data:
                 loop(values, experiments)

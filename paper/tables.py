@@ -134,3 +134,21 @@ def kernels(shares, names):
     groups = [[[rf"{share}\,\%" if i == 0 else "", name.replace("_", " "), *cell(share, name)]
                for i, name in enumerate(names)] for share in shares]
     return tabular("@{}llrr@{}", [r"wrong & kernel & position [cm] & within $2\times$ [\%] \\"], groups)
+
+
+FEATURE_HEADS = {"detector": "detector", "method": "method", "log": "log", "walls": "walls", "planes": "planes",
+                 "recall": "recall", "precision": "precision", "angle_deg": "angle [deg]", "offset_mm": "offset [mm]",
+                 "ends_mm": "ends [mm]", "ends_within_5cm": "within 5\\,cm", "surfaces": "surfaces",
+                 "cover": "cover", "pieces_per_plane": "pieces", "sweeps": "sweeps", "lines_per_sweep": "lines",
+                 "points_explained": "points", "rms_mm": "rms [mm]", "found_again": "again"}
+
+
+def features(rows, first):
+    """A table of ablation_features as it stands; `first` is only its name in errors."""
+    if not rows:
+        raise ValueError(f"{first}.csv is empty")
+    columns = list(rows[0])
+    texts = [c for c in columns if c in ("detector", "method", "log")]
+    cells = [[row[c].replace("_", " ").removesuffix(".clf.bz2") for c in columns] for row in rows]
+    return tabular("@{}" + "l" * len(texts) + "r" * (len(columns) - len(texts)) + "@{}",
+                   [" & ".join(FEATURE_HEADS[c] for c in columns) + r" \\"], [cells])

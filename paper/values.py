@@ -151,6 +151,13 @@ def add_fig_05(values, name, run):
     values.set(f"{name}.points", count(metrics["points"]))
     values.set(f"{name}.reduced", count(metrics["reduced_points"]))
     values.set(f"{name}.share", digits(metrics["points"] / metrics["reduced_points"], 2))
+    values.set(f"{name}.edges", count(metrics["edge_points"]))
+
+
+def add_metrics(values, name, run):
+    """The counts of a run."""
+    for key, value in read_json(run / "metrics.json").items():
+        values.set(f"{name}.{key}", count(value))
 
 
 # --- The hallway, digit by digit
@@ -320,7 +327,7 @@ def add_covariance(values, metric, runs):
 # --- matching over simulated tours
 
 ALL_METHODS = ("pairwise", "metascan", "simultaneous", "graph", "joint")
-MATCHING_METHODS = ("odometry", *ALL_METHODS, "truth")
+MATCHING_METHODS = ("odometry", "pairwise", "metascan", "edges", "simultaneous", "graph", "joint", "truth")
 MATCHING_MEASURES = {"position cm": "position", "rotation deg": "rotation", "map error cm": "map", "wall cm": "wall",
                      "worst wall cm": "worst"}
 

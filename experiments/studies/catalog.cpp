@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "experiments/studies/ablation_features.h"
 #include "experiments/studies/ablation_graph.h"
 #include "experiments/studies/ablation_matching.h"
 #include "experiments/studies/extract.h"
@@ -94,6 +95,9 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
                                          RunAblationMatching),
+      MakeStudy<AblationFeaturesOptions>(
+          "ablation_features", "detectors of lines and surfaces: against truth, and on real sweeps",
+          [](const AblationFeaturesOptions&) {}, RunAblationFeatures),
       MakeStudy<AblationGraphOptions>("ablation_graph",
                                       "pose graphs with wrong closures, from other starts, of other sizes",
                                       CheckAblationGraph, RunAblationGraph)};

@@ -20,7 +20,7 @@ struct ModelOptions {
   slam::LineMapOptions plan;
   std::string plan_heights = "0.5, 1.5";
   slam::OccupancyGridOptions grid;
-  slam::OctoMapOptions octomap;
+  slam::OctoMapOptions octomap{.resolution = 0.1};
   slam::SvgOptions svg;
   double drawing_points = 0.1;
 
