@@ -12,7 +12,8 @@ import subprocess
 import sys
 import tempfile
 
-PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated", "bench_graph", "bench_octree"]
+PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated", "bench_graph",
+            "bench_extract", "bench_octree"]
 REPETITIONS = 5
 
 # (what, numerator, denominator, goal)

@@ -70,7 +70,7 @@ void AddExportCommand(CLI::App& app) {
   command->footer(
       FormatHelp() +
       "Options for --set are those of ariadne map (ariadne config --describe map).\n"
-      "Example:\n  ariadne export results/garage --to svg --set plan.slice.height=1.2 --out plan.svg");
+      "Example:\n  ariadne export results/garage --to svg --set plan_heights=1.2 --out plan.svg");
   command->callback([arguments] { Export(*arguments); });
 }
 

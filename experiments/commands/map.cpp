@@ -42,8 +42,8 @@ void AddMapCommand(CLI::App& app) {
   AddSetFlag(*command, arguments->assignments);
   AddRunFlags(*command, arguments->target);
   command->footer(
-      "Example:\n  ariadne register scans/garage13 --out results/garage\n"
-      "  ariadne map results/garage --set octree.leaf_size=0.1");
+      "Example:\n  ariadne map results/garage --set octree.leaf_size=0.1\n"
+      "where results/garage is what `ariadne register scans/garage13 --out results/garage` has left.");
   command->callback([arguments] { Map(*arguments); });
 }
 

@@ -58,9 +58,20 @@ std::vector<double> PlanHeights(const ModelOptions& options) {
   return ParseNumbers(options.plan_heights, "plan_heights");
 }
 
-slam::Drawing PlanAt(double height, std::span<const slam::PosedCloud> scans, const ModelOptions& options) {
+double FloorOf(const slam::SurfaceModel& model) { return slam::FloorHeight(model).value_or(0.0); }
+
+slam::OccupancyGrid MakeGrid(double floor, std::span<const slam::PosedCloud> scans,
+                             const ModelOptions& options) {
+  slam::OccupancyGridOptions grid = options.grid;
+  grid.min_height += floor;
+  grid.max_height += floor;
+  return slam::MakeOccupancyGrid(scans, grid);
+}
+
+slam::Drawing PlanAt(double height, double floor, std::span<const slam::PosedCloud> scans,
+                     const ModelOptions& options) {
   slam::LineMapOptions plan = options.plan;
-  plan.slice.height = height;
+  plan.slice.height = floor + height;
   slam::Drawing drawing = slam::DrawingOf(slam::MakeLineMap(scans, plan));
   slam::DrawingLayer path = PathOf(scans);
   for (Eigen::Vector3d& p : path.points) p.z() = 0.0;

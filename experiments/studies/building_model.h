@@ -18,11 +18,20 @@ slam::Octree MakeOctree(const RunScans& scans, const ModelOptions& options, cons
 slam::SurfaceModel MakeSurfaces(const RunScans& scans, const ModelOptions& options,
                                 const ModelProgress& progress);
 
-/// The heights of options.plan_heights.
+/// The heights of options.plan_heights above the floor.
 std::vector<double> PlanHeights(const ModelOptions& options);
 
-/// The point and line map at a height, with the path of the laser in the layer "path".
-slam::Drawing PlanAt(double height, std::span<const slam::PosedCloud> scans, const ModelOptions& options);
+/// z of the floor that the surfaces show; 0 where they show none.
+double FloorOf(const slam::SurfaceModel& model);
+
+/// The point and line map at a height [m] above a floor at this z, with the path of the laser in the layer
+/// "path".
+slam::Drawing PlanAt(double height, double floor, std::span<const slam::PosedCloud> scans,
+                     const ModelOptions& options);
+
+/// The occupancy grid over a floor at this z.
+slam::OccupancyGrid MakeGrid(double floor, std::span<const slam::PosedCloud> scans,
+                             const ModelOptions& options);
 
 /// Surfaces and boxes by class, thinned points per scan, and the path.
 slam::Drawing MakeDrawing(const slam::SurfaceModel& model, std::span<const slam::PosedCloud> scans,

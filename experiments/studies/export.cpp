@@ -99,7 +99,7 @@ void WriteDrawings(const RunDirectory& run, const slam::SurfaceModel& model,
   slam::WriteDxf(run.File("building.dxf"), building);
   slam::WriteVrml(run.File("building.wrl"), building);
   for (const double height : PlanHeights(options)) {
-    const slam::Drawing plan = PlanAt(height, scans, options);
+    const slam::Drawing plan = PlanAt(height, FloorOf(model), scans, options);
     slam::WriteDxf(run.File(fmt::format("plan_{:.2f}.dxf", height)), plan);
     slam::WriteSvg(run.File(fmt::format("plan_{:.2f}.svg", height)), plan, options.svg);
   }
@@ -112,10 +112,10 @@ void WriteMeshes(const RunDirectory& run, const slam::Octree& octree, const slam
   slam::WriteGlb(run.File("mesh.glb"), mesh);
 }
 
-void WriteGrids(const RunDirectory& run, std::span<const slam::PosedCloud> scans,
+void WriteGrids(const RunDirectory& run, double floor, std::span<const slam::PosedCloud> scans,
                 const ModelOptions& options) {
   slam::WriteOctoMap(run.File("map.bt"), scans, options.octomap);
-  slam::WriteOccupancyGrid(run.File("grid.pgm"), slam::MakeOccupancyGrid(scans, options.grid));
+  slam::WriteOccupancyGrid(run.File("grid.pgm"), MakeGrid(floor, scans, options));
 }
 
 ExportPart UsualPart(ExportFormat format) { return PartsOf(format).front(); }
@@ -128,24 +128,20 @@ void ExportRun(const std::filesystem::path& run, ExportFormat format, ExportPart
   if (part == ExportPart::kVoxels)
     return WriteMesh(file, format, "voxels", Voxels(MakeOctree(source, options, progress)), options);
   const std::vector<slam::PosedCloud> scans = ReadRegisteredMap(run).scans;
-  switch (part) {
-    case ExportPart::kModel: {
-      const slam::SurfaceModel model = MakeSurfaces(source, options, progress);
-      if (slam::InfoOf(format).content == slam::ExportContent::kMesh)
-        return WriteMesh(file, format, "surfaces", slam::MeshOf(model), options);
-      return WriteDrawing(file, format, MakeDrawing(model, scans, options), options);
-    }
-    case ExportPart::kPlan:
-      return WriteDrawing(file, format, PlanAt(options.plan.slice.height, scans, options), options);
-    case ExportPart::kMesh:
-      return WriteMesh(file, format, "mesh", RequiredMesh(scans, options), options);
-    case ExportPart::kGrid:
-      if (format == ExportFormat::kPgm)
-        return slam::WriteOccupancyGrid(file, slam::MakeOccupancyGrid(scans, options.grid));
-      return slam::WriteOctoMap(file, scans, options.octomap);
-    case ExportPart::kVoxels:
-      break;
+  if (part == ExportPart::kMesh)
+    return WriteMesh(file, format, "mesh", RequiredMesh(scans, options), options);
+  if (slam::InfoOf(format).content == slam::ExportContent::kScans)
+    return slam::WriteOctoMap(file, scans, options.octomap);
+  const slam::SurfaceModel model = MakeSurfaces(source, options, progress);
+  if (part == ExportPart::kGrid)
+    return slam::WriteOccupancyGrid(file, MakeGrid(FloorOf(model), scans, options));
+  if (part == ExportPart::kPlan) {
+    const double height = PlanHeights(options).back();
+    return WriteDrawing(file, format, PlanAt(height, FloorOf(model), scans, options), options);
   }
+  if (slam::InfoOf(format).content == slam::ExportContent::kMesh)
+    return WriteMesh(file, format, "surfaces", slam::MeshOf(model), options);
+  WriteDrawing(file, format, MakeDrawing(model, scans, options), options);
 }
 
 }  // namespace ariadne::experiments

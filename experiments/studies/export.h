@@ -20,8 +20,8 @@ void WriteDrawings(const RunDirectory& run, const slam::SurfaceModel& model,
 
 void WriteMeshes(const RunDirectory& run, const slam::Octree& octree, const slam::TriangleMesh& mesh);
 
-/// OctoMap, and the occupancy grid.
-void WriteGrids(const RunDirectory& run, std::span<const slam::PosedCloud> scans,
+/// OctoMap, and the occupancy grid over a floor at this z.
+void WriteGrids(const RunDirectory& run, double floor, std::span<const slam::PosedCloud> scans,
                 const ModelOptions& options);
 
 /// What of a model is exported.
@@ -34,7 +34,7 @@ enum class ExportPart {
 };
 
 /// Writes a part of the model of a run in a format. Error where the format cannot hold it, with those that
-/// can.
+/// can. A plan is the one at the last of options.plan_heights.
 void ExportRun(const std::filesystem::path& run, slam::ExportFormat format, ExportPart part,
                const ModelOptions& options, const std::filesystem::path& file,
                const ModelProgress& progress);

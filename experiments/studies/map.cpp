@@ -21,7 +21,7 @@ namespace {
 constexpr const char* kReadme =
     "What is what here\n"
     "  building.dxf, .wrl   surfaces by class, boxes around objects, thinned points per scan, path\n"
-    "  plan_*.dxf, .svg     points and lines at a height (the name says at which, in m)\n"
+    "  plan_*.dxf, .svg     points and lines at a height above the floor (the name says at which, in m)\n"
     "  mesh.ply, .glb       the smooth mesh; voxels.ply: the octree's cubes\n"
     "  leaves.ply           a point per leaf of the octree: mean, reflectance\n"
     "  map.bt               OctoMap (octovis); grid.pgm, .yaml: occupancy grid (ROS map_server)\n"
@@ -136,7 +136,7 @@ std::string RunMap(const MapStudyOptions& options, const RunDirectory& run, Prog
   const slam::TriangleMesh mesh = step("mesh", [&] { return MakeMesh(clouds, model_options); });
   step("drawings", [&] { WriteDrawings(run, model, clouds, model_options); });
   step("meshes", [&] { WriteMeshes(run, octree, mesh); });
-  step("grids", [&] { WriteGrids(run, clouds, model_options); });
+  step("grids", [&] { WriteGrids(run, FloorOf(model), clouds, model_options); });
   step("figures", [&] { DrawFigures(run, clouds, octree, model, mesh); });
   run.WriteText("README.txt", kReadme);
   const Json metrics = MetricsOf(octree, model, mesh);

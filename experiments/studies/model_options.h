@@ -29,10 +29,10 @@ struct ModelOptions {
     visit("surfaces", self.surfaces, "flat surfaces and boxes around objects");
     visit("octree", self.octree, "the voxels");
     visit("mesh", self.mesh, "the smooth mesh");
-    visit("plan", self.plan, "the 2D point and line map; its heights are in plan_heights");
+    visit("plan", self.plan, "the 2D point and line map; its heights are those of plan_heights");
     visit("plan_heights", self.plan_heights,
-          "z of the map at which plans are drawn: a, b, ... [m]; 1.5 is the paper's example (4.2)");
-    visit("grid", self.grid, "the occupancy grid");
+          "above the floor, at which plans are drawn: a, b, ... [m]; 1.5 is the paper's example (4.2)");
+    visit("grid", self.grid, "the occupancy grid; here its heights count from the floor");
     visit("octomap", self.octomap, "the 3D grid of OctoMap");
     visit("svg", self.svg, "how plans are drawn on paper");
     visit("drawing_points", self.drawing_points, Unit("m"), Range{1e-3, 100.0},

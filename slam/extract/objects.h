@@ -6,6 +6,7 @@ namespace ariadne::slam {
 
 struct ObjectOptions {
   double robot_size = 0.6;
+  double robot_height = 1.3;
   double min_surface_area = 0.03;
   double min_object_area = 0.08;
   ClassifyOptions classes;
@@ -16,6 +17,10 @@ struct ObjectOptions {
         "robot_size", self.robot_size, Unit("m"), Range{0.0, 10.0},
         "boxes nearer to each other are merged, as the robot cannot pass between them (2.2.1); its width, "
         "60 cm (2.1)");
+    visit(
+        "robot_height", self.robot_height, Unit("m"), Range{0.0, 100.0},
+        "what hangs higher above the floor is no obstacle, as the robot passes below: beams, lamps, signs; "
+        "the scanner on top of the robot ends at 1.1 m");
     visit("min_surface_area", self.min_surface_area, Unit("m^2"), Range{0.0, 100.0},
           "of a surface that gets a box (\"large\", open): a part of a person or of a chair");
     visit("min_object_area", self.min_object_area, Unit("m^2"), Range{0.0, 100.0},
@@ -33,7 +38,8 @@ struct ObjectBox {
 
 /// Boxes around the surfaces that are neither floor nor ceiling nor wall, merged until none are closer than
 /// the robot's size (Sec. 2.2.1 step 4), those with most area first. As walls, floor and ceiling get no
-/// box, they do not join what stands in the room. The frame must be level; see ClassifySurfaces.
+/// box, they do not join what stands in the room; nor does what hangs above the robot, which only belongs
+/// to an object that it is right above. The frame must be level; see ClassifySurfaces.
 std::vector<ObjectBox> SegmentObjects(std::span<const PlanarSurface> surfaces_level,
                                       const ObjectOptions& options);
 

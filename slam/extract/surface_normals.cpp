@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMostCells = 12;    // to each side, where a point is very near
 constexpr std::size_t kCellsVisited = 3;  // of these, about
-constexpr double kLineLike = 0.02;         // variance on the middle axis by that on the longest: no plane
+constexpr double kLineLike = 0.02;        // variance on the middle axis by that on the longest: no plane
 
 std::size_t CellsIn(double radius, double range, double step) {
   const double cells = std::ceil(radius / std::max(1e-9, range * step));
@@ -20,7 +20,7 @@ std::size_t CellsIn(double radius, double range, double step) {
 SurfaceNormal NormalAt(const PointCloud& cloud_laser, const DirectionGrid& grid, std::size_t point,
                        const SurfaceNormalOptions& options) {
   const Eigen::Vector3d& p = cloud_laser.positions[point];
-  const double radius = std::max(options.radius, options.radius_per_range * p.norm());
+  const double radius = std::max(options.radius, options.radius_angle * p.norm());
   const std::size_t rows = CellsIn(radius, p.norm(), grid.row_step());
   const std::size_t columns = CellsIn(radius, p.norm(), grid.column_step());
   const std::size_t stride = std::max<std::size_t>(1, std::min(rows, columns) / kCellsVisited);

@@ -9,14 +9,14 @@ namespace ariadne::slam {
 
 struct SurfaceNormalOptions {
   double radius = 0.15;
-  double radius_per_range = 0.08;
+  double radius_angle = 0.08;
   int min_neighbors = 6;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("radius", self.radius, Unit("m"), Range{1e-3, 10.0},
           "of the neighbourhood, at least: 6 mm of noise turn its normal by a degree or two");
-    visit("radius_per_range", self.radius_per_range, Unit(""), Range{0.0, 1.0},
+    visit("radius_angle", self.radius_angle, Unit("rad"), Range{0.0, 1.0},
           "of the neighbourhood by the distance of its point, where that is more: slices on the floor 1 m "
           "below are 0.21 m apart at 5 m");
     visit("min_neighbors", self.min_neighbors, Unit("points"), Range{3, 10000}, "for a normal");

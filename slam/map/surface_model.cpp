@@ -26,4 +26,15 @@ SurfaceModel MakeSurfaceModel(std::vector<PlanarSurface> surfaces_map, const Sur
   return model;
 }
 
+std::optional<double> FloorHeight(const SurfaceModel& model) {
+  double sum = 0.0, area = 0.0;
+  for (std::size_t i = 0; i < model.classes.size(); ++i) {
+    if (model.classes[i] != SurfaceClass::kFloor) continue;
+    const double piece = Area(model.surfaces_map[i]);
+    sum += piece * model.surfaces_map[i].T_frame_plane.translation.z();
+    area += piece;
+  }
+  return area > 0.0 ? std::optional(sum / area) : std::nullopt;
+}
+
 }  // namespace ariadne::slam

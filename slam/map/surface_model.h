@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "slam/extract/extract_surfaces.h"
@@ -36,6 +37,9 @@ std::vector<PlanarSurface> SurfacesInMap(const PosedCloud& scan, const ExtractSu
 
 /// Unites the surfaces of one scan or many, and tells structure from objects. The map must be level.
 SurfaceModel MakeSurfaceModel(std::vector<PlanarSurface> surfaces_map, const SurfaceModelOptions& options);
+
+/// The height of the floor, the mean over its surfaces by area; nothing where none was seen [m].
+std::optional<double> FloorHeight(const SurfaceModel& model);
 
 /// The colour of a class in pictures and drawings.
 Rgb ColorOf(SurfaceClass surface_class);

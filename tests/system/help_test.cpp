@@ -10,7 +10,8 @@ using testing::HasSubstr;
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("register", "optimize", "run", "convert", "info", "config"),
+                         testing::Values("register", "optimize", "run", "convert", "info", "config",
+                                         "simulate", "extract", "map", "export", "view"),
                          [](const auto& name) { return name.param; });
 
 TEST_P(Help, EndsWithAnExample) {
@@ -54,7 +55,7 @@ TEST_F(ConfigCommand, PrintsThatOfEachExperiment) {
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err,
               testing::StartsWith("ariadne: there is no experiment 'table_2'; there are register, "
-                                  "optimize, posegraph_benchmark, simulate, table_1, fig_02, "));
+                                  "optimize, posegraph_benchmark, extract, map, simulate, table_1, "));
 }
 
 }  // namespace

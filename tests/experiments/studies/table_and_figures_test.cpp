@@ -85,14 +85,17 @@ TEST_F(Fig05Test, CountsAndDrawsThePoints) {
   EXPECT_EQ(all, 61 * 48) << "all of the walls are within range";
   EXPECT_LT(reduced, all / 2);
   EXPECT_GT(reduced, 50);
+  const auto edges = metrics["edge_points"].get<int>();
+  EXPECT_LT(edges, all / 2);
+  EXPECT_GT(edges, 50);
   EXPECT_THAT(result.text, StartsWith(fmt::format("{} points, {} reduced points: 1 of ", all, reduced)));
-  EXPECT_THAT(Content("run/figures/reduced_and_all.png"), StartsWith(kPngSignature));
+  EXPECT_THAT(Content("run/figures/fig_05.png"), StartsWith(kPngSignature));
 }
 
 TEST_F(Fig05Test, DrawsTheSamePictureEveryTime) {
   Run("fig_05", SmallOffice(), "first");
   Run("fig_05", SmallOffice(), "second");
-  for (const char* file : {"figures/reduced_and_all.png", "metrics.json", "config.yaml", "manifest.json"}) {
+  for (const char* file : {"figures/fig_05.png", "metrics.json", "config.yaml", "manifest.json"}) {
     EXPECT_EQ(Content(std::string("first/") + file), Content(std::string("second/") + file)) << file;
   }
 }

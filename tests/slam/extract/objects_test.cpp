@@ -62,6 +62,21 @@ TEST(SegmentObjects, MergesBoxesBetweenWhichTheRobotDoesNotFit) {
   EXPECT_EQ(SegmentObjects(surfaces, wide).size(), 1u);
 }
 
+TEST(SegmentObjects, DrivesBelowWhatHangsHigh) {
+  std::vector<PlanarSurface> surfaces = SurfacesOfRoom();
+  surfaces.push_back(Rectangle({2.0, 1.0, 0.5}, -kAhead, 0.4, 1.0));
+  surfaces.push_back(Rectangle({3.5, 1.0, 0.5}, -kAhead, 0.4, 1.0));
+  surfaces.push_back(Rectangle({2.7, 1.0, 1.8}, Eigen::Vector3d::UnitY(), 3.0, 0.3));  // a beam above both
+  surfaces.push_back(Rectangle({2.05, 1.0, 1.6}, -kAhead, 0.3, 0.4));  // the head of the first
+  const std::vector<ObjectBox> objects = SegmentObjects(surfaces, {});
+  ASSERT_EQ(objects.size(), 2u);
+  EXPECT_THAT(objects[0].surfaces, testing::ElementsAre(3, 6));
+  EXPECT_THAT(objects[1].surfaces, testing::ElementsAre(4));
+  ObjectOptions tall;
+  tall.robot_height = 2.5;
+  EXPECT_EQ(SegmentObjects(surfaces, tall).size(), 1u) << "the beam joins them";
+}
+
 TEST(SegmentObjects, LeavesOutWhatIsSmallAndTakesNothing) {
   EXPECT_TRUE(SegmentObjects({}, {}).empty());
   EXPECT_TRUE(SegmentObjects(SurfacesOfRoom(), {}).empty());

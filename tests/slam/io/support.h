@@ -23,9 +23,10 @@ class TemporaryFolder {
  public:
   TemporaryFolder() {
     std::string name = (fs::temp_directory_path() / "ariadne_test.XXXXXX").string();
-    path_ = mkdtemp(name.data());
+    path_ = fs::path(mkdtemp(name.data())) / "folder";  // whose parent is empty, too
+    fs::create_directory(path_);
   }
-  ~TemporaryFolder() { fs::remove_all(path_); }
+  ~TemporaryFolder() { fs::remove_all(path_.parent_path()); }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 

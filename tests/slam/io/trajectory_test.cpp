@@ -139,7 +139,7 @@ TEST(Trajectories, RefuseToWriteWhatCannotBeRead) {
                 Written(WriteTum, std::vector{StampedPose{INFINITY, Pose3()}});
               }),
               HasSubstr("stamp"));
-  const Pose3 zero{Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0), {}};
+  const Pose3 zero{Eigen::Quaterniond(0.0, 0.0, 0.0, 0.0), Eigen::Vector3d::Zero()};
   EXPECT_THAT(ErrorOf([&] { Written(WriteKittiPoses, std::vector{zero}); }),
               HasSubstr("quaternion has length 0"));
 }
