@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "planning/view/edge_set.h"
+#include "slam/base/options.h"
+
+namespace ariadne::planning {
+
+/// The horizontal scanner that a view is judged by (Sec. 4.2 step 5).
+struct RayGainOptions {
+  int rays = 360;
+  double field_of_view = 180.0;
+  double min_range = 0.5;
+  double max_range = 15.0;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("rays", self.rays, Unit("1/turn"), Range{4, 36000},
+          "around a place; the paper leaves the step open, 360 is the sensor's 1 deg");
+    visit("field_of_view", self.field_of_view, Unit("deg"), Range{0.0, 360.0},
+          "of a view, both end rays included: 181 rays at 1 deg");
+    visit("min_range", self.min_range, Unit("m"), Range{0.0, 100.0},
+          "nearer hits count nothing and still block the ray; 0.5 is the paper's, 0 lets all hits count");
+    visit("max_range", self.max_range, Unit("m"), Range{0.01, 10000.0},
+          "farther hits, and rays without a hit, count nothing; the paper's 15, less in slices whose "
+          "height the tilt reaches only near the robot");
+  }
+};
+
+/// What a ray meets first.
+struct RayHit {
+  double distance = std::numeric_limits<double>::infinity();  // [m]; beyond max_range it may be any
+  bool seen = false;                                          // the label of the edge
+};
+
+struct ViewGain {
+  int gain = 0;            // V(p): rays of the best field of view that meet an unseen edge
+  double direction = 0.0;  // theta_p, of the middle of that field of view, in the map [rad], (-pi, pi]
+};
+
+/// Rays from any place to one set of edges. Ray 0 points along `heading`, the others follow
+/// counterclockwise: with the robot's heading, no result depends on the frame of the map.
+class RayGain {
+ public:
+  /// The edges must outlive this. Error for edges or a heading that are not finite.
+  RayGain(std::span<const Edge> edges, double heading, const RayGainOptions& options);
+
+  /// The nearest hit of each ray. An edge is projected onto the rays that it spans, which costs
+  /// O(edges + hits). Where hits coincide, seen wins. An edge is open at one end, so that no ray slips
+  /// through where two edges meet; a ray along an edge meets its neighbour. A place on an edge sees that.
+  std::vector<RayHit> Cast(const Eigen::Vector2d& p_map) const;
+
+  /// f(p, i): 1 where the nearest hit of ray i is an unseen edge within the range limits, else 0.
+  std::vector<std::uint8_t> UnseenRays(const Eigen::Vector2d& p_map) const;
+
+  /// V(p) and theta_p. Ties as in BestWindow, value 0 being the heading.
+  ViewGain At(const Eigen::Vector2d& p_map) const;
+
+ private:
+  void Project(const Edge& edge, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const;
+
+  std::span<const Edge> edges_;
+  double heading_;  // [rad]
+  RayGainOptions options_;
+  double step_;                             // between rays [rad]
+  std::vector<Eigen::Vector2d> direction_;  // of each ray, of length 1
+};
+
+}  // namespace ariadne::planning

@@ -1,0 +1,66 @@
+#include "planning/view/sliding_window.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace ariadne::planning {
+namespace {
+
+/// Windows next to each other, by where they begin.
+struct Plateau {
+  int first = 0;
+  int length = 0;
+};
+
+std::vector<int> WindowSums(std::span<const std::uint8_t> values, std::size_t width) {
+  std::vector<int> sums(values.size());
+  int sum = std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width), 0);
+  for (std::size_t first = 0; first < values.size(); ++first) {
+    sums[first] = sum;
+    sum += values[(first + width) % values.size()] - values[first];
+  }
+  return sums;
+}
+
+/// All runs of the largest sum around the circle; empty where all sums are the same.
+std::vector<Plateau> Plateaus(const std::vector<int>& sums, int largest) {
+  std::vector<Plateau> plateaus;
+  const auto lower = std::ranges::find_if(sums, [&](int sum) { return sum != largest; });
+  if (lower == sums.end()) return plateaus;
+  const auto n = static_cast<int>(sums.size()), begin = static_cast<int>(lower - sums.begin());
+  bool inside = false;
+  for (int i = begin; i < begin + n; ++i) {  // begins off any plateau, so that none is cut in two
+    const bool is_largest = sums[static_cast<std::size_t>(i % n)] == largest;
+    if (is_largest && !inside) plateaus.push_back({i, 0});
+    if (is_largest) ++plateaus.back().length;
+    inside = is_largest;
+  }
+  return plateaus;
+}
+
+/// In (-n/2, n/2].
+double WrapSteps(double steps, int n) {
+  const double wrapped = std::remainder(steps, n);
+  return wrapped <= -0.5 * n ? 0.5 * n : wrapped;
+}
+
+}  // namespace
+
+Window BestWindow(std::span<const std::uint8_t> values, int width) {
+  const auto n = static_cast<int>(values.size());
+  width = std::clamp(width, 1, n);
+  const std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width));
+  Window best{*std::ranges::max_element(sums), 0.0};
+  int longest = 0;
+  for (const auto& [first, length] : Plateaus(sums, best.sum)) {
+    const double center = WrapSteps(first + 0.5 * (length - 1) + 0.5 * (width - 1), n);
+    const double turn = std::abs(center), best_turn = std::abs(best.center);
+    const bool is_nearer = turn < best_turn || (turn == best_turn && center > best.center);
+    if (length > longest || (length == longest && is_nearer)) best.center = center, longest = length;
+  }
+  return best;
+}
+
+}  // namespace ariadne::planning

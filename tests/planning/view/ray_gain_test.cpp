@@ -1,0 +1,224 @@
+#include "planning/view/ray_gain.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "planning/view/sliding_window.h"
+#include "planning/view/uniform_candidates.h"
+#include "slam/geometry/angles.h"
+#include "tests/planning/view/simple_room.h"
+#include "tests/support/error_of.h"
+
+namespace ariadne::planning {
+namespace {
+
+using slam::RadFromDeg;
+
+/// What a ray meets, by solving p + t u = a + s (b - a) for every edge.
+struct PlainHit {
+  double distance = std::numeric_limits<double>::infinity();
+  bool seen = false;
+  bool is_grazing = false;  // rounding decides: the ray passes an end, or two hits are as near
+};
+
+PlainHit CastPlainly(std::span<const Edge> edges, const Eigen::Vector2d& p, double angle) {
+  const Eigen::Vector2d u(std::cos(angle), std::sin(angle));
+  PlainHit hit;
+  for (const Edge& edge : edges) {
+    Eigen::Matrix2d system;
+    system << u, edge.from - edge.to;
+    if (std::abs(system.determinant()) < 1e-12) continue;
+    const Eigen::Vector2d solution = system.inverse() * (edge.from - p);
+    const double t = solution[0], s = solution[1];
+    if (t < 0.0 || s < -1e-9 || s > 1.0 + 1e-9) continue;
+    const bool at_end = std::abs(s) < 1e-9 || std::abs(s - 1.0) < 1e-9;
+    const bool is_tie = std::abs(t - hit.distance) < 1e-9;
+    if (t < hit.distance) hit.distance = t, hit.seen = edge.seen, hit.is_grazing = at_end;
+    hit.is_grazing = hit.is_grazing || is_tie;
+  }
+  return hit;
+}
+
+std::vector<Eigen::Vector2d> PlacesInHall(int count, std::uint64_t seed) {
+  CandidateOptions options;
+  options.count = count;
+  return DrawCandidates(std::array{Hall()}, {}, options, seed);
+}
+
+/// Edges anywhere, also crossing each other and around the place.
+std::vector<Edge> DrawEdges(int count, double size, RandomStream& stream) {
+  std::vector<Edge> edges;
+  const auto draw = [&] {
+    return Eigen::Vector2d(DrawUniform(stream, -size, size), DrawUniform(stream, -size, size));
+  };
+  for (int i = 0; i < count; ++i) edges.push_back({draw(), draw(), DrawUniform(stream, 0.0, 1.0) < 0.5});
+  return edges;
+}
+
+/// Returns how many rays were compared.
+int ExpectSameAsPlainly(std::span<const Edge> edges, const Eigen::Vector2d& p, double heading,
+                        const RayGainOptions& options) {
+  const RayGain gain(edges, heading, options);
+  const std::vector<RayHit> hits = gain.Cast(p);
+  const std::vector<std::uint8_t> unseen = gain.UnseenRays(p);
+  int compared = 0;
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    const double angle = heading + 2.0 * std::numbers::pi * static_cast<double>(i) / options.rays;
+    const PlainHit plain = CastPlainly(edges, p, angle);
+    if (plain.is_grazing) continue;
+    const bool in_range = plain.distance >= options.min_range && plain.distance <= options.max_range;
+    EXPECT_EQ(unseen[i], in_range && !plain.seen) << "ray " << i << " from " << p.transpose();
+    if (plain.distance <= options.max_range) {
+      EXPECT_NEAR(hits[i].distance, plain.distance, 1e-6 * (1.0 + plain.distance));
+    }
+    ++compared;
+  }
+  return compared;
+}
+
+TEST(RayGain, MeetsWhatPlainRaysMeetInTheHall) {
+  const std::vector<Edge> edges = LabelledHall(1);
+  int compared = 0;
+  for (const Eigen::Vector2d& p : PlacesInHall(100, 2)) compared += ExpectSameAsPlainly(edges, p, 0.3, {});
+  EXPECT_GT(compared, 35900);
+}
+
+TEST(RayGain, MeetsWhatPlainRaysMeetAmongAnyEdges) {
+  RandomStream stream = NamedStream(4, "ray_gain");
+  int compared = 0, rays = 0;
+  for (int i = 0; i < 300; ++i) {
+    RayGainOptions options;
+    options.rays = 4 + static_cast<int>(stream() % 1000);
+    options.min_range = DrawUniform(stream, 0.0, 1.0);
+    options.max_range = DrawUniform(stream, 2.0, 20.0);
+    const double size = std::pow(10.0, DrawUniform(stream, -3.0, 1.5));
+    compared += ExpectSameAsPlainly(DrawEdges(static_cast<int>(stream() % 30), size, stream), {0.0, 0.0},
+                                    DrawUniform(stream, -9.0, 9.0), options);
+    rays += options.rays;
+  }
+  EXPECT_GT(compared, 0.999 * rays);
+}
+
+TEST(RayGain, LetsNoRaySlipThroughACorner) {
+  const std::vector<Edge> square = EdgesOf({Rectangle(-1.0, -1.0, 1.0, 1.0), {}}, false);
+  const std::vector<Edge> diamond =
+      EdgesOf({{{2.0, 0.0}, {0.0, 2.0}, {-2.0, 0.0}, {0.0, -2.0}}, {}}, false);
+  for (const auto& edges : {square, diamond}) {  // rays at 0, 45, 90 deg ... pass exactly through corners
+    for (const RayHit& hit : RayGain(edges, 0.0, {}).Cast({0.0, 0.0})) EXPECT_LT(hit.distance, 2.1);
+  }
+}
+
+TEST(RayGain, SeenWinsWhereEdgesCoincide) {
+  const Edge seen{{1.0, -1.0}, {1.0, 1.0}, true}, unseen{{1.0, -1.0}, {1.0, 1.0}, false};
+  EXPECT_EQ(RayGain(std::array{seen, unseen}, 0.0, {}).At({0.0, 0.0}).gain, 0);
+  EXPECT_EQ(RayGain(std::array{unseen, seen}, 0.0, {}).At({0.0, 0.0}).gain, 0);
+  EXPECT_EQ(RayGain(std::array{unseen}, 0.0, {}).At({0.0, 0.0}).gain, 90)
+      << "-45 to 45 deg, open at one end";
+}
+
+TEST(RayGain, CountsWithinTheRangeLimitsOnly) {
+  const std::vector<Edge> wall{{{1.0, -50.0}, {1.0, 50.0}, false}};
+  const RayGain gain(wall, 0.0, {});
+  EXPECT_EQ(gain.At({0.6, 0.0}).gain, 2 * (88 - 36))
+      << "from 0.5 m, acos(0.4 / 0.5) = 36.87 deg, to 15 m, acos(0.4 / 15) = 88.47 deg";
+  EXPECT_EQ(gain.At({-13.9, 0.0}).gain, 2 * 6 + 1) << "acos(14.9 / 15) is 6.62 deg";
+  EXPECT_EQ(gain.At({-14.1, 0.0}).gain, 0);
+  const std::vector<std::uint8_t> unseen = gain.UnseenRays({0.6, 0.0});
+  EXPECT_EQ(unseen[0], 0) << "0.4 m is too near";
+  EXPECT_EQ(unseen[60], 1);
+}
+
+TEST(RayGain, SeesNothingFromAnEdge) {
+  const std::vector<Edge> edges{{{-1.0, 0.0}, {1.0, 0.0}, false}, {{-5.0, 3.0}, {5.0, 3.0}, false}};
+  for (const double x : {-0.5, 0.0, 0.999}) {
+    const std::vector<RayHit> hits = RayGain(edges, 0.1, {}).Cast({x, 0.0});
+    for (const RayHit& hit : hits) EXPECT_EQ(hit.distance, 0.0);
+  }
+}
+
+TEST(RayGain, LooksAtTheMiddleOfADoor) {
+  std::vector<Edge> room = EdgesOf({Rectangle(-4.0, -4.0, 4.0, 4.0), {}}, true);
+  room.push_back({{-0.5, 3.0}, {0.5, 3.0}, false});
+  for (const double heading : {0.0, 0.4, -2.0, 3.1}) {
+    const ViewGain best = RayGain(room, heading, {}).At({0.0, 0.0});
+    EXPECT_NEAR(best.gain, 2.0 * std::atan(0.5 / 3.0) / RadFromDeg(1.0), 1.0);
+    EXPECT_NEAR(slam::WrapAngle(best.direction - RadFromDeg(90.0)), 0.0, RadFromDeg(0.51));
+  }
+}
+
+TEST(RayGain, DoesNotDependOnTheFrame) {
+  const std::vector<Edge> edges = LabelledHall(5);
+  RandomStream stream = NamedStream(6, "ray_gain/frame");
+  int differing = 0;
+  for (const Eigen::Vector2d& p : PlacesInHall(100, 8)) {
+    const slam::Pose2 T_new_map{DrawUniform(stream, -3.0, 3.0),
+                                {DrawUniform(stream, -100.0, 100.0), DrawUniform(stream, -100.0, 100.0)}};
+    const double heading = DrawUniform(stream, -3.0, 3.0);
+    const ViewGain here = RayGain(edges, heading, {}).At(p);
+    const std::vector<Edge> moved = Moved(T_new_map, edges);
+    const ViewGain there = RayGain(moved, heading + T_new_map.angle, {}).At(T_new_map * p);
+    EXPECT_NEAR(here.gain, there.gain, 1);
+    const double turned = slam::WrapAngle(there.direction - here.direction - T_new_map.angle);
+    differing += here.gain != there.gain || std::abs(turned) > 1e-9;
+  }
+  EXPECT_EQ(differing, 0);
+}
+
+TEST(RayGain, RefusesWhatIsNoPlace) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<Edge> bad{{{0.0, 0.0}, {nan, 1.0}, true}}, far{{{0.0, 0.0}, {1e300, 1.0}, true}};
+  EXPECT_NE(ErrorOf([&] { RayGain(bad, 0.0, {}); }), "");
+  EXPECT_NE(ErrorOf([&] { RayGain(far, 0.0, {}); }), "");
+  EXPECT_EQ(ErrorOf([&] { RayGain({}, nan, {}); }), "the robot's heading is nan, which is no angle");
+  EXPECT_EQ(ErrorOf([&] { RayGain({}, 0.0, {}).At({nan, 0.0}); }), "candidate 0 at (nan, 0) is no place");
+  EXPECT_EQ(RayGain({}, 0.0, {}).At({0.0, 0.0}).gain, 0);
+  RayGainOptions options;
+  options.min_range = 20.0;
+  EXPECT_NE(ErrorOf([&] { RayGain({}, 0.0, options); }).find("gain.min_range is 20 m"), std::string::npos);
+}
+
+TEST(SlidingWindow, IsTheBestOfAllWindows) {
+  RandomStream stream = NamedStream(9, "sliding_window");
+  for (int trial = 0; trial < 2000; ++trial) {
+    const int n = 1 + static_cast<int>(stream() % 24), width = 1 + static_cast<int>(stream() % 24);
+    std::vector<std::uint8_t> values;
+    for (int i = 0; i < n; ++i) values.push_back(stream() % 3 == 0 ? 1 : 0);
+    const auto sum_from = [&](int first) {
+      int sum = 0;
+      for (int k = 0; k < std::min(n, width); ++k) sum += values[static_cast<std::size_t>((first + k) % n)];
+      return sum;
+    };
+    int largest = 0;
+    for (int first = 0; first < n; ++first) largest = std::max(largest, sum_from(first));
+    const Window best = BestWindow(values, width);
+    EXPECT_EQ(best.sum, largest);
+    // The window about the centre, or the two that are nearest to it, are best ones.
+    const double first = best.center - 0.5 * (std::min(n, width) - 1) + 2.0 * n;
+    if (std::min(n, width) < n) {
+      EXPECT_EQ(sum_from(static_cast<int>(std::floor(first))), largest);
+      EXPECT_EQ(sum_from(static_cast<int>(std::ceil(first))), largest);
+    }
+  }
+}
+
+TEST(SlidingWindow, TakesTheCentreOfThePlateau) {
+  std::vector<std::uint8_t> values(12, 0);
+  values[1] = values[2] = 1;
+  EXPECT_DOUBLE_EQ(BestWindow(values, 4).center, 1.5) << "windows from 11 to 1 hold both";
+  EXPECT_DOUBLE_EQ(BestWindow(values, 2).center, 1.5);
+  values.assign(12, 0);
+  values[11] = values[0] = 1;
+  EXPECT_DOUBLE_EQ(BestWindow(values, 5).center, -0.5) << "across the seam";
+  values.assign(12, 0);
+  values[3] = values[9] = 1;
+  EXPECT_DOUBLE_EQ(BestWindow(values, 3).center, 3.0) << "of equal ones the left";
+  EXPECT_DOUBLE_EQ(BestWindow(std::vector<std::uint8_t>(12, 0), 3).center, 0.0);
+  EXPECT_EQ(BestWindow(std::vector<std::uint8_t>(12, 1), 99).sum, 12);
+}
+
+}  // namespace
+}  // namespace ariadne::planning
