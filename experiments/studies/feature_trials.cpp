@@ -14,8 +14,12 @@ struct RoomView {
   slam::Pose3 T_map_base;
 };
 
-RoomView DrawView(int seed, const drivers::AisScannerOptions& scanner) {
-  RandomStream stream = NamedStream(static_cast<std::uint64_t>(seed), "feature_room");
+std::uint64_t SeedOf(int seed, int room) {
+  return static_cast<std::uint64_t>(seed) + static_cast<std::uint64_t>(room);
+}
+
+RoomView DrawView(std::uint64_t seed, const drivers::AisScannerOptions& scanner) {
+  RandomStream stream = NamedStream(seed, "feature_room");
   const drivers::Room room = drivers::DrawRoom(stream);
   const Eigen::Vector3d viewpoint_map = drivers::DrawViewpoint(stream, room);
   const double heading = DrawUniform(stream, -3.0, 3.0);
@@ -48,10 +52,10 @@ std::vector<LineTrial> TryLines(const std::vector<LineDetector>& detectors, int 
   const drivers::SweepMounting mounting = drivers::AisMounting(scanner);
   for (int room = 0; room < rooms; ++room) {
     on_room(room);
-    const RoomView view = DrawView(seed + room, scanner);
+    const std::uint64_t room_seed = SeedOf(seed, room);
+    const RoomView view = DrawView(room_seed, scanner);
     const drivers::Motion standing = drivers::Standing(view.T_map_base);
-    const slam::LaserSweep sweep = drivers::TakeAisSweep(view.scene, standing, 0.0, scanner,
-                                                         static_cast<std::uint64_t>(seed + room), 0);
+    const slam::LaserSweep sweep = drivers::TakeAisSweep(view.scene, standing, 0.0, scanner, room_seed, 0);
     const std::vector<drivers::Ray> beams = drivers::SweepBeams(mounting, standing, 0.0, 0.0, 0.0);
     const std::vector<TrueWall> walls =
         VisibleWalls(view.scene, beams, mounting.scanner, view.T_map_base.rotation);
@@ -72,11 +76,11 @@ std::vector<SurfaceTrial> TrySurfaces(const slam::ExtractSurfacesOptions& option
   std::vector<SurfaceTrial> trials(kMethods);
   for (int room = 0; room < rooms; ++room) {
     on_room(room);
-    const RoomView view = DrawView(seed + room, scanner);
+    const std::uint64_t room_seed = SeedOf(seed, room);
+    const RoomView view = DrawView(room_seed, scanner);
     const std::vector<TruePatch> patches = VisiblePatches(view.scene, view.T_map_base, scanner);
-    const slam::PointCloud cloud_laser =
-        slam::ToPointCloud(drivers::TakeAisScan(view.scene, view.T_map_base, 0.0, scanner,
-                                                static_cast<std::uint64_t>(seed + room), 0, Parallel(1)));
+    const slam::PointCloud cloud_laser = slam::ToPointCloud(
+        drivers::TakeAisScan(view.scene, view.T_map_base, 0.0, scanner, room_seed, 0, Parallel(1)));
     for (std::size_t m = 0; m < kMethods; ++m) {
       slam::ExtractSurfacesOptions method = options;
       method.method = static_cast<slam::SurfaceMethod>(m);
