@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 PROGRAMS = ["bench_ariadne", "bench_pcl", "bench_open3d", "bench_io", "bench_simulated", "bench_graph",
-            "bench_extract", "bench_octree"]
+            "bench_extract", "bench_octree", "bench_view"]
 REPETITIONS = 5
 
 # (what, numerator, denominator, goal)
@@ -49,6 +49,8 @@ OCTREES = [("octomap", "octomap, end points only, lazily"), ("pcl_search", "PCL'
            ("pcl_centroids", "PCL's octree of centroids")]
 RATIOS += [(f"{what} / Octree, time to build", f"octree/build/{peer}", "octree/build/ariadne", 1.0)
            for peer, what in OCTREES]
+RATIOS += [("plain loop over rays and edges / planning of the next view, 200 candidates, 1000 edges",
+            "view/plain_loop/candidates:200/edges:1000", "view/plan/candidates:200/edges:1000", None)]
 
 GRAPHS = ["sphere2500", "torus3D", "cubicle", "parking-garage", "smallGrid3D", "kitti_00", "intel", "MIT", "manhattan"]
 RATIOS += [(f"{what} / own, {graph}", f"graph/{graph}/{peer}", f"graph/{graph}/ariadne", 1.0)
