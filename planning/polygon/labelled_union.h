@@ -8,14 +8,16 @@
 namespace ariadne::planning {
 
 struct LabelledUnionOptions {
-  double tolerance = 0.05;
+  double tolerance = 0.1;
   double max_angle = 0.09;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
-    visit("tolerance", self.tolerance, Unit("m"), Range{0.0, 1.0},
-          "a boundary this near to a seen edge, and along it, is seen; shorter unseen edges between seen "
-          "ones are steps of the same wall. Above the poses' errors (3 cm), far below a door; 0: exact");
+    visit(
+        "tolerance", self.tolerance, Unit("m"), Range{0.0, 1.0},
+        "a boundary this near to a seen edge, and along it, is seen; shorter unseen edges between seen "
+        "ones are steps of the same wall. Above what 3 cm and 1 degree of error move a wall 4 m away, far "
+        "below a door; 0: exact");
     visit("max_angle", self.max_angle, Unit("rad"), Range{0.0, 0.5},
           "between that boundary and that edge; above the poses' errors (twice 1 degree) and the lines'");
   }

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kAngleError = 0.002;  // more than that of RoughAngle [rad]
 constexpr double kNearlyHalfTurn = std::numbers::pi - 0.01;
-constexpr double kOnEnd = 1e-6;  // nearer than this the direction to an end says nothing [m]
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -28,10 +27,14 @@ double RoughAngle(const Eigen::Vector2d& v) {
   return std::copysign(angle, v.y());
 }
 
-/// Where a ray meets the edge from a to b, both relative to its origin; negative or NaN where it does not.
+/// Whether the origin is an end of the edge from a to b.
+bool IsOnEnd(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.isZero(0.0) || b.isZero(0.0); }
+
+/// Where a ray meets the edge from a to b, both relative to its origin; negative where it does not.
 /// `area` is Cross(a, b).
 double HitDistance(const Eigen::Vector2d& direction, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                    double area) {
+  if (IsOnEnd(a, b)) return 0.0;
   const double side_a = Cross(direction, a), side_b = Cross(direction, b);
   if ((side_a <= 0.0) == (side_b <= 0.0)) return -1.0;
   return area / (side_b - side_a);
@@ -50,9 +53,8 @@ RaySpan RaysToward(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double he
   double turn = angle_b - angle_a;
   if (turn > std::numbers::pi) turn -= 2.0 * std::numbers::pi;
   if (turn < -std::numbers::pi) turn += 2.0 * std::numbers::pi;
-  // On which side the edge passes cannot be told from angles where its ends are opposite or underfoot.
-  const bool is_on_end = std::min(a.cwiseAbs().maxCoeff(), b.cwiseAbs().maxCoeff()) < kOnEnd;
-  if (std::abs(turn) > kNearlyHalfTurn || is_on_end) return {0, rays};
+  // On which side the edge passes cannot be told from angles where its ends are nearly opposite.
+  if (std::abs(turn) > kNearlyHalfTurn || IsOnEnd(a, b)) return {0, rays};
   const double begin = (turn > 0.0 ? angle_a : angle_b) - heading;
   const int first = static_cast<int>(std::ceil((begin - kAngleError) / step));
   const int last = static_cast<int>(std::floor((begin + std::abs(turn) + kAngleError) / step));

@@ -107,7 +107,10 @@ TEST(RayGain, LetsNoRaySlipThroughACorner) {
   const std::vector<Edge> square = EdgesOf({Rectangle(-1.0, -1.0, 1.0, 1.0), {}}, false);
   const std::vector<Edge> diamond =
       EdgesOf({{{2.0, 0.0}, {0.0, 2.0}, {-2.0, 0.0}, {0.0, -2.0}}, {}}, false);
-  for (const auto& edges : {square, diamond}) {  // rays at 0, 45, 90 deg ... pass exactly through corners
+  const std::vector<Edge> clockwise =
+      EdgesOf({{{2.0, 0.0}, {0.0, -2.0}, {-2.0, 0.0}, {0.0, 2.0}}, {}}, false);
+  for (const auto& edges :
+       {square, diamond, clockwise}) {  // rays at 0, 45, 90 deg ... pass exactly through corners
     for (const RayHit& hit : RayGain(edges, 0.0, {}).Cast({0.0, 0.0})) EXPECT_LT(hit.distance, 2.1);
   }
 }
@@ -138,6 +141,26 @@ TEST(RayGain, SeesNothingFromAnEdge) {
     const std::vector<RayHit> hits = RayGain(edges, 0.1, {}).Cast({x, 0.0});
     for (const RayHit& hit : hits) EXPECT_EQ(hit.distance, 0.0);
   }
+}
+
+TEST(RayGain, SeesNothingFromACorner) {
+  for (const slam::Ring& ring : {Rectangle(-1.0, -1.0, 1.0, 1.0), Rectangle(-1.0, -1.0, 1.0, 1.0, true)}) {
+    const std::vector<Edge> room = EdgesOf({ring, {}}, false);
+    for (const Eigen::Vector2d& corner : ring) {
+      for (const RayHit& hit : RayGain(room, 0.1, {}).Cast(corner)) EXPECT_EQ(hit.distance, 0.0);
+    }
+  }
+}
+
+TEST(RayGain, CountsBothEndRaysOfTheView) {
+  const std::vector<Edge> room = EdgesOf({Rectangle(-2.0, -2.0, 2.0, 2.0), {}}, false);
+  EXPECT_EQ(RayGain(room, 0.0, {}).At({0.1, 0.2}).gain, 181);
+  EXPECT_NEAR(RayGain(room, 0.7, {}).At({0.1, 0.2}).direction, 0.7, 1e-12) << "no reason to turn";
+  RayGainOptions options;
+  options.field_of_view = 360.0;
+  EXPECT_EQ(RayGain(room, 0.0, options).At({0.1, 0.2}).gain, 360);
+  options.field_of_view = 0.0;
+  EXPECT_EQ(RayGain(room, 0.0, options).At({0.1, 0.2}).gain, 1);
 }
 
 TEST(RayGain, LooksAtTheMiddleOfADoor) {

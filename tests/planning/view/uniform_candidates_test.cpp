@@ -107,6 +107,13 @@ TEST(Candidates, AreFewerWhereThereIsNoRoom) {
   EXPECT_TRUE(DrawCandidates(room, EdgesOf(room[0], true), options, 1).empty());
 }
 
+TEST(Candidates, LieWithinAlsoWhatTheGridRounds) {
+  const std::array area{slam::Polygon2{Rectangle(4e-5, 4e-5, 1.04e-3, 1.04e-3), {}}};
+  const Places places = DrawCandidates(area, {}, {}, 1);
+  EXPECT_EQ(places.size(), 200u);
+  for (const Eigen::Vector2d& p : places) EXPECT_TRUE(slam::Contains(area[0], p)) << p.transpose();
+}
+
 TEST(Candidates, FollowTheSeed) {
   const std::array area{Hall()};
   EXPECT_EQ(DrawCandidates(area, {}, {}, 5), DrawCandidates(area, {}, {}, 5));

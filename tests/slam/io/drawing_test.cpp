@@ -25,9 +25,12 @@ using testing::Pair;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
 
-using WriteDrawing = std::function<void(const fs::path&, const Drawing&)>;
+struct DrawingWriter {
+  std::string name;
+  std::function<void(const fs::path&, const Drawing&)> write;
+};
 
-const std::map<std::string, WriteDrawing> kDrawingWriters{
+const std::vector<DrawingWriter> kDrawingWriters{
     {"plan.dxf", [](const fs::path& path, const Drawing& drawing) { WriteDxf(path, drawing); }},
     {"plan.svg", [](const fs::path& path, const Drawing& drawing) { WriteSvg(path, drawing); }},
     {"plan.wrl", [](const fs::path& path, const Drawing& drawing) { WriteVrml(path, drawing); }}};
@@ -226,10 +229,10 @@ TEST(Vrml, ClosesWhatItOpens) {
 void ExpectRefused(const std::function<void(Drawing&)>& damage, const std::string& sentence) {
   Drawing drawing = SmallDrawing();
   damage(drawing);
-  for (const auto& [name, write] : kDrawingWriters) {
+  for (const DrawingWriter& writer : kDrawingWriters) {
     const TemporaryFolder folder;
-    const std::string error = ErrorOf([&] { write(folder / name, drawing); });
-    EXPECT_EQ(error, (folder / name).string() + ": cannot be written: " + sentence);
+    const std::string error = ErrorOf([&] { writer.write(folder / writer.name, drawing); });
+    EXPECT_EQ(error, (folder / writer.name).string() + ": cannot be written: " + sentence);
     EXPECT_TRUE(fs::is_empty(folder.path()));
   }
 }
@@ -260,17 +263,17 @@ TEST(Drawings, AreRefusedWhereTheyAreDamaged) {
 }
 
 TEST(Drawings, LeaveTheOldFileWhereTheNewOneFails) {
-  for (const auto& [name, write] : kDrawingWriters) {
+  for (const DrawingWriter& writer : kDrawingWriters) {
     const TemporaryFolder folder;
-    folder.Write(name, "old");
+    folder.Write(writer.name, "old");
     Drawing damaged = SmallDrawing();
     damaged.layers[0].points[0].x() = std::numeric_limits<double>::infinity();
-    ErrorOf([&] { write(folder / name, damaged); });
-    EXPECT_EQ(ContentOf(folder / name), "old");
+    ErrorOf([&] { writer.write(folder / writer.name, damaged); });
+    EXPECT_EQ(ContentOf(folder / writer.name), "old");
     if (!fs::exists("/dev/full")) continue;
-    fs::remove(folder / name);
-    fs::create_symlink("/dev/full", folder / name);
-    EXPECT_THAT(ErrorOf([&] { write(folder / name, SmallDrawing()); }),
+    fs::remove(folder / writer.name);
+    fs::create_symlink("/dev/full", folder / writer.name);
+    EXPECT_THAT(ErrorOf([&] { writer.write(folder / writer.name, SmallDrawing()); }),
                 HasSubstr("cannot be written: No space left on device"));
   }
 }
@@ -282,13 +285,13 @@ struct CommaAndGroups : std::numpunct<char> {
 };
 
 TEST(Drawings, HaveTheSameBytesInEveryLocale) {
-  for (const auto& [name, write] : kDrawingWriters) {
+  for (const DrawingWriter& writer : kDrawingWriters) {
     const TemporaryFolder folder;
-    write(folder / name, SmallDrawing());
+    writer.write(folder / writer.name, SmallDrawing());
     const std::locale before = std::locale::global(std::locale(std::locale(), new CommaAndGroups));
-    write(folder / ("german_" + name), SmallDrawing());
+    writer.write(folder / ("german_" + writer.name), SmallDrawing());
     std::locale::global(before);
-    EXPECT_EQ(ContentOf(folder / ("german_" + name)), ContentOf(folder / name));
+    EXPECT_EQ(ContentOf(folder / ("german_" + writer.name)), ContentOf(folder / writer.name));
   }
 }
 
