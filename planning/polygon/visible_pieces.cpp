@@ -129,11 +129,14 @@ void AppendNearest(const std::vector<const BearingSpan*>& spans, double right, d
 std::vector<VisiblePiece> VisiblePieces(std::span<const SliceLine> lines_scan) {
   std::vector<BearingSpan> spans = SpansOf(lines_scan);
   const std::vector<double> bearings = SnapEnds(spans);
+  std::ranges::stable_sort(spans, {}, &BearingSpan::right);
   std::vector<VisiblePiece> pieces;
+  std::vector<const BearingSpan*> spanning;  // those that reach over the bearings at hand
+  std::size_t begun = 0;
   for (std::size_t k = 0; k + 1 < bearings.size(); ++k) {
-    std::vector<const BearingSpan*> spanning;
-    for (const BearingSpan& span : spans) {
-      if (span.right <= bearings[k] && span.left >= bearings[k + 1]) spanning.push_back(&span);
+    std::erase_if(spanning, [&](const BearingSpan* span) { return span->left <= bearings[k]; });
+    for (; begun < spans.size() && spans[begun].right <= bearings[k]; ++begun) {
+      if (spans[begun].left > bearings[k]) spanning.push_back(&spans[begun]);
     }
     if (!spanning.empty()) AppendNearest(spanning, bearings[k], bearings[k + 1], pieces);
   }
