@@ -46,6 +46,9 @@ find_library(GLOG_LIBRARY glog REQUIRED)
 add_library(ceres_shared INTERFACE)
 target_link_libraries(ceres_shared INTERFACE system_blas ${CERES_LIBRARY} ${GLOG_LIBRARY})
 
+find_package(PkgConfig REQUIRED)
+pkg_check_modules(CBC REQUIRED IMPORTED_TARGET cbc cgl osi-clp)
+
 
 # Options that every translation unit shares.
 add_library(ariadne_flags INTERFACE)
