@@ -19,6 +19,8 @@ View Judge(const Eigen::Vector2d& p_map, const RayGain& gain, const slam::Pose2&
   view.p_map = p_map;
   view.direction = best.direction;
   view.gain = best.gain;
+  view.area = best.area;
+  view.overlap = best.overlap;
   view.distance = (p_map - T_map_robot.translation).norm();
   view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot.angle));
   view.value = std::exp(LogValue(view, options));  // of no gain: exp(-inf) = 0

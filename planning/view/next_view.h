@@ -38,7 +38,9 @@ struct View {
   Eigen::Vector2d p_map = Eigen::Vector2d::Zero();
   double direction = 0.0;  // of the scanner's middle, in the map [rad], (-pi, pi]
   int gain = 0;            // rays
-  double distance = 0.0;   // from the robot, in a straight line as in the paper [m]
+  double area = 0.0;       // that may be found behind what these rays meet [m^2]
+  double overlap = 0.0;    // share of the rays that meet what is known: what registration has to go by
+  double distance = 0.0;   // of the way from the robot; infinite: there is none [m]
   double turn = 0.0;       // between the robot's heading and the direction [rad], [0, pi]
   double value = 0.0;      // may underflow to 0 far away; the choice is made by its logarithm
 };

@@ -11,7 +11,8 @@
 namespace ariadne::planning {
 namespace {
 
-constexpr double kAngleError = 0.002;  // more than that of RoughAngle [rad]
+constexpr double kAngleError = 0.002;         // more than that of RoughAngle [rad]
+constexpr double kPartsPerSquareMeter = 1e4;  // areas are summed as whole numbers, in any order the same
 constexpr double kNearlyHalfTurn = std::numbers::pi - 0.01;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -87,11 +88,12 @@ RayGain::RayGain(std::span<const Edge> edges, double heading, const RayGainOptio
 std::vector<RayHit> RayGain::Cast(const Eigen::Vector2d& p_map) const {
   RequirePlaces(std::span(&p_map, 1), "candidate");
   std::vector<RayHit> hits(direction_.size());
-  for (const Edge& edge : edges_) Project(edge, p_map, hits);
+  for (std::size_t i = 0; i < edges_.size(); ++i) Project(i, p_map, hits);
   return hits;
 }
 
-void RayGain::Project(const Edge& edge, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const {
+void RayGain::Project(std::size_t number, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const {
+  const Edge& edge = edges_[number];
   const Eigen::Vector2d a = edge.from - p_map, b = edge.to - p_map;
   if (IsOutOfRange(a, b, options_.max_range)) return;
   const double area = Cross(a, b);
@@ -102,25 +104,56 @@ void RayGain::Project(const Edge& edge, const Eigen::Vector2d& p_map, std::span<
     const double distance = HitDistance(direction_[ray], a, b, area);
     RayHit& hit = hits[ray];
     if (!(distance >= 0.0) || distance > hit.distance) continue;
-    hit = {distance, edge.seen || (distance == hit.distance && hit.seen)};
+    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), number};
   }
 }
 
-std::vector<std::uint8_t> RayGain::UnseenRays(const Eigen::Vector2d& p_map) const {
-  std::vector<std::uint8_t> counts;
-  counts.reserve(direction_.size());
-  for (const RayHit& hit : Cast(p_map)) {
-    const bool in_range = hit.distance >= options_.min_range && hit.distance <= options_.max_range;
-    counts.push_back(in_range && !hit.seen ? 1 : 0);
-  }
-  return counts;
+bool RayGain::IsUnseen(const RayHit& hit) const {
+  return !hit.seen && hit.distance >= options_.min_range && hit.distance <= options_.max_range;
 }
 
-ViewGain RayGain::At(const Eigen::Vector2d& p_map) const {
+double RayGain::AreaBehind(const RayHit& hit) const {
+  const double end = std::min(hit.distance + options_.depth, options_.max_range);
+  return 0.5 * step_ * (end * end - hit.distance * hit.distance);
+}
+
+ViewGain RayGain::At(const Eigen::Vector2d& p_map) const { return Of(Cast(p_map)); }
+
+ViewGain RayGain::Of(std::span<const RayHit> hits) const {
+  std::vector<int> values(hits.size(), 0);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!IsUnseen(hits[i])) continue;
+    const bool by_area = options_.measure == GainMeasure::kArea;
+    values[i] = by_area ? static_cast<int>(std::lround(kPartsPerSquareMeter * AreaBehind(hits[i]))) : 1;
+  }
   // The sum runs from phi to phi + pi, both included; the tolerance keeps 180 deg at 181 rays.
   const double steps = slam::RadFromDeg(options_.field_of_view) / step_;
-  const Window best = BestWindow(UnseenRays(p_map), static_cast<int>(std::floor(steps + 1e-9)) + 1);
-  return {best.sum, slam::WrapAngle(heading_ + best.center * step_)};
+  const Window best = BestWindow(values, static_cast<int>(std::floor(steps + 1e-9)) + 1);
+  ViewGain view;
+  view.direction = slam::WrapAngle(heading_ + best.center * step_);
+  const std::vector<std::size_t> rays = RaysAbout(view.direction);
+  int seen = 0;
+  for (const std::size_t i : rays) {
+    seen += hits[i].seen && hits[i].distance <= options_.max_range ? 1 : 0;
+    if (!IsUnseen(hits[i])) continue;
+    ++view.gain;
+    view.area += AreaBehind(hits[i]);
+  }
+  // About a direction between two rays there is one ray less than in the window.
+  if (options_.measure == GainMeasure::kRays) view.gain = best.sum;
+  view.overlap = static_cast<double>(seen) / static_cast<double>(std::max<std::size_t>(1, rays.size()));
+  return view;
+}
+
+std::vector<std::size_t> RayGain::RaysAbout(double direction) const {
+  const double center = slam::WrapAngle(direction - heading_) / step_;
+  const double half = 0.5 * slam::RadFromDeg(options_.field_of_view) / step_ + 1e-9;
+  const auto n = static_cast<long>(direction_.size());
+  const auto first = static_cast<long>(std::ceil(center - half));
+  const long count = std::min(static_cast<long>(std::floor(center + half)) - first + 1, n);
+  std::vector<std::size_t> rays;
+  for (long i = 0; i < count; ++i) rays.push_back(static_cast<std::size_t>(((first + i) % n + n) % n));
+  return rays;
 }
 
 }  // namespace ariadne::planning

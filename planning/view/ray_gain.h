@@ -1,6 +1,7 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <limits>
 
 #include "planning/view/edge_set.h"
@@ -8,8 +9,16 @@
 
 namespace ariadne::planning {
 
+/// What a ray that meets an unseen edge counts.
+enum class GainMeasure {
+  kRays,  // one (the paper's)
+  kArea,  // the sector behind the edge, up to a depth or the range: what may be found there
+};
+
 /// The horizontal scanner that a view is judged by (Sec. 4.2 step 5).
 struct RayGainOptions {
+  GainMeasure measure = GainMeasure::kRays;
+  double depth = 5.0;
   int rays = 360;
   double field_of_view = 180.0;
   double min_range = 0.5;
@@ -17,6 +26,11 @@ struct RayGainOptions {
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
+    visit("measure", self.measure,
+          "what a ray to an unseen edge counts: rays is the paper's 1 (4.2), area the sector behind it "
+          "(after Gonzalez-Banos and Latombe 2002)");
+    visit("depth", self.depth, Unit("m"), Range{0.1, 1000.0},
+          "behind an unseen edge, of that sector; a room's");
     visit("rays", self.rays, Unit("1/turn"), Range{4, 36000},
           "around a place; the paper leaves the step open, 360 is the sensor's 1 deg");
     visit("field_of_view", self.field_of_view, Unit("deg"), Range{0.0, 360.0},
@@ -33,11 +47,15 @@ struct RayGainOptions {
 struct RayHit {
   double distance = std::numeric_limits<double>::infinity();  // [m]; beyond max_range it may be any
   bool seen = false;                                          // the label of the edge
+  std::size_t edge = 0;                                       // its number, where there is a hit
 };
 
+/// The best field of view of a place.
 struct ViewGain {
-  int gain = 0;            // V(p): rays of the best field of view that meet an unseen edge
-  double direction = 0.0;  // theta_p, of the middle of that field of view, in the map [rad], (-pi, pi]
+  int gain = 0;            // V(p): its rays that meet an unseen edge
+  double area = 0.0;       // behind those edges, up to the depth [m^2]
+  double overlap = 0.0;    // share of its rays that meet a seen edge within range
+  double direction = 0.0;  // theta_p, of its middle, in the map [rad], (-pi, pi]
 };
 
 /// Rays from any place to one set of edges. Ray 0 points along `heading`, the others follow
@@ -52,14 +70,24 @@ class RayGain {
   /// through where two edges meet; a ray along an edge meets its neighbour. A place on an edge sees that.
   std::vector<RayHit> Cast(const Eigen::Vector2d& p_map) const;
 
-  /// f(p, i): 1 where the nearest hit of ray i is an unseen edge within the range limits, else 0.
-  std::vector<std::uint8_t> UnseenRays(const Eigen::Vector2d& p_map) const;
+  /// f(p, i): whether a ray meets an unseen edge within the range limits.
+  bool IsUnseen(const RayHit& hit) const;
 
   /// V(p) and theta_p. Ties as in BestWindow, value 0 being the heading.
   ViewGain At(const Eigen::Vector2d& p_map) const;
 
+  /// The same of rays that have been cast.
+  ViewGain Of(std::span<const RayHit> hits) const;
+
+  /// The numbers of the rays within the field of view about a direction in the map.
+  std::vector<std::size_t> RaysAbout(double direction) const;
+
+  /// Of a ray, of length 1, in the map.
+  const Eigen::Vector2d& Direction(std::size_t ray) const { return direction_[ray]; }
+
  private:
-  void Project(const Edge& edge, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const;
+  double AreaBehind(const RayHit& hit) const;
+  void Project(std::size_t edge, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const;
 
   std::span<const Edge> edges_;
   double heading_;  // [rad]
@@ -69,3 +97,12 @@ class RayGain {
 };
 
 }  // namespace ariadne::planning
+
+namespace ariadne {
+
+template <>
+struct EnumNames<planning::GainMeasure> {
+  static constexpr std::array<std::string_view, 2> value{"rays", "area"};
+};
+
+}  // namespace ariadne

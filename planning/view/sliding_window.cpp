@@ -14,7 +14,7 @@ struct Plateau {
   int length = 0;
 };
 
-std::vector<int> WindowSums(std::span<const std::uint8_t> values, std::size_t width) {
+std::vector<int> WindowSums(std::span<const int> values, std::size_t width) {
   std::vector<int> sums(values.size());
   int sum = std::accumulate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(width), 0);
   for (std::size_t first = 0; first < values.size(); ++first) {
@@ -48,7 +48,7 @@ double WrapSteps(double steps, int n) {
 
 }  // namespace
 
-Window BestWindow(std::span<const std::uint8_t> values, int width) {
+Window BestWindow(std::span<const int> values, int width) {
   const auto n = static_cast<int>(values.size());
   width = std::clamp(width, 1, n);
   const std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width));

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 namespace ariadne::planning {
@@ -15,6 +14,6 @@ struct Window {
 /// that plateau, so that small errors of the pose do not matter; of several plateaus the longest, then the
 /// one nearest to value 0, then the one on its left (counterclockwise). Where all windows have the same
 /// sum, the one about value 0. Values must not be empty; a width beyond their number is that number.
-Window BestWindow(std::span<const std::uint8_t> values, int width);
+Window BestWindow(std::span<const int> values, int width);
 
 }  // namespace ariadne::planning

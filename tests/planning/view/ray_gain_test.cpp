@@ -64,14 +64,13 @@ int ExpectSameAsPlainly(std::span<const Edge> edges, const Eigen::Vector2d& p, d
                         const RayGainOptions& options) {
   const RayGain gain(edges, heading, options);
   const std::vector<RayHit> hits = gain.Cast(p);
-  const std::vector<std::uint8_t> unseen = gain.UnseenRays(p);
   int compared = 0;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     const double angle = heading + 2.0 * std::numbers::pi * static_cast<double>(i) / options.rays;
     const PlainHit plain = CastPlainly(edges, p, angle);
     if (plain.is_grazing) continue;
     const bool in_range = plain.distance >= options.min_range && plain.distance <= options.max_range;
-    EXPECT_EQ(unseen[i], in_range && !plain.seen) << "ray " << i << " from " << p.transpose();
+    EXPECT_EQ(gain.IsUnseen(hits[i]), in_range && !plain.seen) << "ray " << i << " from " << p.transpose();
     if (plain.distance <= options.max_range) {
       EXPECT_NEAR(hits[i].distance, plain.distance, 1e-6 * (1.0 + plain.distance));
     }
@@ -130,9 +129,9 @@ TEST(RayGain, CountsWithinTheRangeLimitsOnly) {
       << "from 0.5 m, acos(0.4 / 0.5) = 36.87 deg, to 15 m, acos(0.4 / 15) = 88.47 deg";
   EXPECT_EQ(gain.At({-13.9, 0.0}).gain, 2 * 6 + 1) << "acos(14.9 / 15) is 6.62 deg";
   EXPECT_EQ(gain.At({-14.1, 0.0}).gain, 0);
-  const std::vector<std::uint8_t> unseen = gain.UnseenRays({0.6, 0.0});
-  EXPECT_EQ(unseen[0], 0) << "0.4 m is too near";
-  EXPECT_EQ(unseen[60], 1);
+  const std::vector<RayHit> hits = gain.Cast({0.6, 0.0});
+  EXPECT_FALSE(gain.IsUnseen(hits[0])) << "0.4 m is too near";
+  EXPECT_TRUE(gain.IsUnseen(hits[60]));
 }
 
 TEST(RayGain, SeesNothingFromAnEdge) {
@@ -208,7 +207,7 @@ TEST(SlidingWindow, IsTheBestOfAllWindows) {
   RandomStream stream = NamedStream(9, "sliding_window");
   for (int trial = 0; trial < 2000; ++trial) {
     const int n = 1 + static_cast<int>(stream() % 24), width = 1 + static_cast<int>(stream() % 24);
-    std::vector<std::uint8_t> values;
+    std::vector<int> values;
     for (int i = 0; i < n; ++i) values.push_back(stream() % 3 == 0 ? 1 : 0);
     const auto sum_from = [&](int first) {
       int sum = 0;
@@ -229,7 +228,7 @@ TEST(SlidingWindow, IsTheBestOfAllWindows) {
 }
 
 TEST(SlidingWindow, TakesTheCentreOfThePlateau) {
-  std::vector<std::uint8_t> values(12, 0);
+  std::vector<int> values(12, 0);
   values[1] = values[2] = 1;
   EXPECT_DOUBLE_EQ(BestWindow(values, 4).center, 1.5) << "windows from 11 to 1 hold both";
   EXPECT_DOUBLE_EQ(BestWindow(values, 2).center, 1.5);
@@ -239,8 +238,8 @@ TEST(SlidingWindow, TakesTheCentreOfThePlateau) {
   values.assign(12, 0);
   values[3] = values[9] = 1;
   EXPECT_DOUBLE_EQ(BestWindow(values, 3).center, 3.0) << "of equal ones the left";
-  EXPECT_DOUBLE_EQ(BestWindow(std::vector<std::uint8_t>(12, 0), 3).center, 0.0);
-  EXPECT_EQ(BestWindow(std::vector<std::uint8_t>(12, 1), 99).sum, 12);
+  EXPECT_DOUBLE_EQ(BestWindow(std::vector<int>(12, 0), 3).center, 0.0);
+  EXPECT_EQ(BestWindow(std::vector<int>(12, 1), 99).sum, 12);
 }
 
 }  // namespace

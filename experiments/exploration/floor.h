@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "drivers/simulated/world.h"
+#include "slam/geometry/pose2.h"
+
+namespace ariadne::experiments {
+
+/// A piece of a wall as seen from above, in the map frame [m].
+struct WallFace {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+};
+
+/// A building at one height: what a horizontal scanner without errors sees of it. Exploration in the plane
+/// costs milliseconds where 3D scans cost seconds, and what is missed is then the planner's fault alone.
+struct Floor {
+  std::string name;
+  std::vector<WallFace> faces;  // those inside of walls included, where bodies overlap
+  slam::Pose2 T_map_start;
+};
+
+/// The cut through all bodies that stand, at a height above z = 0 [m]. Pieces in line are joined. Error
+/// where nothing reaches that height.
+Floor CutFloor(const drivers::World& world, double height);
+
+}  // namespace ariadne::experiments

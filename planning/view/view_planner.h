@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "planning/path/free_space.h"
+#include "planning/polygon/labelled_polygon.h"
+#include "planning/view/next_view.h"
+#include "planning/view/uniform_candidates.h"
+
+namespace ariadne::planning {
+
+/// How one of the candidates is chosen.
+enum class ViewPolicy {
+  kExponential,      // gain exp(-c1 way) exp(-c2 turn), Sec. 4.2 step 6
+  kGain,             // the largest gain, wherever it is
+  kRandom,           // any with enough gain
+  kNearestFrontier,  // of the places before unseen edges the nearest (Yamauchi 1997)
+  kPotentialArea,    // area behind unseen edges times exp(-way / 5 m) (Gonzalez-Banos, Latombe 2002)
+  kTwoSteps,         // the first of the pair that shows most per way
+  kTour,             // the first of a short tour of views that show all unseen edges together
+};
+
+enum class WayLength {
+  kStraight,  // the paper's ||r - p||
+  kGeodesic,  // of the shortest way of a disc through what is known to be free
+};
+
+struct ViewPlannerOptions {
+  ViewPolicy policy = ViewPolicy::kTour;
+  WayLength way = WayLength::kGeodesic;
+  double robot_radius = 0.3;
+  double min_overlap = 0.0;
+  int second_look = 1000;
+  double element = 0.5;
+  FreeSpaceOptions free_space;
+  CandidateOptions candidates;
+  NextViewOptions view;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("policy", self.policy, "how one of the candidates is chosen; exponential is the paper's (4.2)");
+    visit("way", self.way, "what the distance to a candidate is; straight is the paper's");
+    visit("robot_radius", self.robot_radius, Unit("m"), Range{0.05, 5.0},
+          "of the disc that must get to a candidate: half the robot's width, since it passes doors "
+          "lengthwise");
+    visit("min_overlap", self.min_overlap, Unit("share"), Range{0.0, 1.0},
+          "of a view's rays that must meet known walls, so that it can be registered; the paper has no "
+          "such rule (0)");
+    visit("second_look", self.second_look, Unit(""), Range{0, 1000000},
+          "places before unseen edges that are looked at, at most, before exploration ends; 0: it ends "
+          "where no candidate has enough gain");
+    visit("element", self.element, Unit("m"), Range{0.01, 10.0},
+          "piece of an unseen edge that counts as seen or not, where views are planned together");
+    visit("free_space", self.free_space, "the raster on which ways are found");
+    visit("candidates", self.candidates, "places that are judged");
+    visit("view", self.view, "the gain and the weights");
+  }
+};
+
+/// What the paper does, to the letter.
+ViewPlannerOptions PaperViewPlannerOptions();
+
+struct ViewPlan {
+  NextViewStatus status = NextViewStatus::kNoCandidates;
+  std::vector<View> views;                // all candidates that can be reached
+  std::optional<std::size_t> chosen;      // of the views
+  std::vector<Eigen::Vector2d> path_map;  // corners of the way to it, from the robot's place on
+  bool second_look = false;               // whether only a place before an unseen edge was worth it
+};
+
+/// Where to scan next, given what is known to be free and which of its edges are unseen (Sec. 4.2, 4.3).
+/// The same input gives the same bytes. Error for corners or a pose that are not finite.
+///
+/// kNoGain, the end of an exploration: neither a candidate nor a place before an unseen edge that the
+/// robot can reach has min_gain rays (and min_overlap). kNoCandidates: the robot cannot move.
+ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
+                      const ViewPlannerOptions& options, std::uint64_t seed);
+
+/// All edges with their labels.
+std::vector<Edge> EdgesOf(std::span<const LabelledPolygon> area);
+
+}  // namespace ariadne::planning
+
+namespace ariadne {
+
+template <>
+struct EnumNames<planning::ViewPolicy> {
+  static constexpr std::array<std::string_view, 7> value{
+      "exponential", "gain", "random", "nearest_frontier", "potential_area", "two_steps", "tour"};
+};
+
+template <>
+struct EnumNames<planning::WayLength> {
+  static constexpr std::array<std::string_view, 2> value{"straight", "geodesic"};
+};
+
+}  // namespace ariadne
