@@ -30,10 +30,11 @@ void RequireDistances(const Eigen::MatrixXd& distances, std::size_t start) {
 
 }  // namespace
 
-TourResult ShortestTour(const Eigen::MatrixXd& distances, std::size_t start, const TourOptions& options) {
+ShortestTourResult ShortestTour(const Eigen::MatrixXd& distances, std::size_t start,
+                                const ShortestTourOptions& options) {
   CheckOptions(options, "tour.");
   RequireDistances(distances, start);
-  TourResult result;
+  ShortestTourResult result;
   if (distances.rows() <= options.exact_places || distances.rows() <= 2) {
     result.order = ExactTour(distances, start);
     result.length = result.lower_bound = LengthOf(distances, result.order);

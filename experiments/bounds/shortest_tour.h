@@ -8,7 +8,7 @@
 
 namespace ariadne::experiments {
 
-struct TourOptions {
+struct ShortestTourOptions {
   int exact_places = 12;
 
   template <typename Self, typename Visitor>
@@ -19,7 +19,7 @@ struct TourOptions {
 };
 
 /// A way through all places, from a given one.
-struct TourResult {
+struct ShortestTourResult {
   std::vector<std::size_t> order;  // of the places, beginning with the start; all of them, once
   double length = 0.0;             // [m]
   double lower_bound = 0.0;        // no such way is shorter [m]; where it was found exactly, its length
@@ -29,7 +29,7 @@ struct TourResult {
 /// exact_places the shortest (Held and Karp 1962), and beyond it the best of nearest neighbour tours, one
 /// for each place to begin with, improved by 2-opt and Or-opt, with the 1-tree bound (Held and Karp 1970).
 /// Error unless the distances are a symmetric matrix of finite numbers, none negative.
-TourResult ShortestTour(const Eigen::MatrixXd& distances, std::size_t start,
-                        const TourOptions& options = {});
+ShortestTourResult ShortestTour(const Eigen::MatrixXd& distances, std::size_t start,
+                                const ShortestTourOptions& options = {});
 
 }  // namespace ariadne::experiments

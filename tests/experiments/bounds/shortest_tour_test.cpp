@@ -47,7 +47,7 @@ double ShortestByTrial(const Eigen::MatrixXd& distances, std::size_t start) {
   return shortest;
 }
 
-void ExpectTour(const Eigen::MatrixXd& distances, std::size_t start, const TourResult& result) {
+void ExpectTour(const Eigen::MatrixXd& distances, std::size_t start, const ShortestTourResult& result) {
   ASSERT_EQ(result.order.size(), static_cast<std::size_t>(distances.rows()));
   EXPECT_EQ(result.order.front(), start);
   std::vector<std::size_t> places = result.order;
@@ -62,7 +62,7 @@ TEST(ShortestTour, IsTheShortestOfAllOrders) {
     for (Eigen::Index count = 1; count <= 7; ++count) {
       const Eigen::MatrixXd distances = RandomDistances(seed, count, seed % 2 == 0 ? 0.0 : 4.0);
       const std::size_t start = seed % static_cast<std::size_t>(count);
-      const TourResult result = ShortestTour(distances, start);
+      const ShortestTourResult result = ShortestTour(distances, start);
       ExpectTour(distances, start, result);
       EXPECT_NEAR(result.length, ShortestByTrial(distances, start), 1e-9) << seed << ", " << count;
       EXPECT_EQ(result.length, result.lower_bound);
@@ -71,13 +71,13 @@ TEST(ShortestTour, IsTheShortestOfAllOrders) {
 }
 
 TEST(ShortestTour, OfManyPlacesIsHardlyLonger) {
-  TourOptions never_exact;
+  ShortestTourOptions never_exact;
   never_exact.exact_places = 0;
   int shortest = 0;
   double bounds = 0.0;
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     const Eigen::MatrixXd distances = RandomDistances(seed, 11, seed % 2 == 0 ? 0.0 : 2.0);
-    const TourResult improved = ShortestTour(distances, seed % 11, never_exact);
+    const ShortestTourResult improved = ShortestTour(distances, seed % 11, never_exact);
     const double best = ShortestTour(distances, seed % 11).length;
     ExpectTour(distances, seed % 11, improved);
     EXPECT_LE(improved.length, 1.05 * best);
@@ -96,15 +96,15 @@ TEST(ShortestTour, GoesAlongACorridor) {
   for (int i = 0; i < 40; ++i) {
     for (int j = 0; j < 40; ++j) distances(i, j) = std::abs(i - j);
   }
-  const TourResult result = ShortestTour(distances, 10);
+  const ShortestTourResult result = ShortestTour(distances, 10);
   ExpectTour(distances, 10, result);
   EXPECT_DOUBLE_EQ(result.length, 10.0 + 39.0);
 }
 
 TEST(ShortestTour, RepeatsItself) {
   const Eigen::MatrixXd distances = RandomDistances(3, 40, 1.0);
-  const TourResult first = ShortestTour(distances, 5);
-  const TourResult second = ShortestTour(distances, 5);
+  const ShortestTourResult first = ShortestTour(distances, 5);
+  const ShortestTourResult second = ShortestTour(distances, 5);
   EXPECT_EQ(first.order, second.order);
   EXPECT_EQ(first.length, second.length);
   EXPECT_EQ(first.lower_bound, second.lower_bound);
