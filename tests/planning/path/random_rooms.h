@@ -71,6 +71,30 @@ inline double TrueClearance(const slam::Polygon2& area, const Eigen::Vector2d& p
   return nearest;
 }
 
+/// Exact: no edge of the area passes through the convex ring, and a corner lies within the area.
+inline bool IsRectangleWithin(const slam::Polygon2& area, const slam::Ring& corners) {
+  const auto passes = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    double low = 0.0, high = 1.0;  // the share of the edge within all half planes
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Eigen::Vector2d along = corners[(i + 1) % corners.size()] - corners[i];
+      const Eigen::Vector2d inwards(-along.y(), along.x());
+      const double at_a = inwards.dot(a - corners[i]), at_b = inwards.dot(b - corners[i]);
+      if (at_a <= 0.0 && at_b <= 0.0) return false;
+      if (at_a < 0.0) low = std::max(low, at_a / (at_a - at_b));
+      if (at_b < 0.0) high = std::min(high, at_a / (at_a - at_b));
+    }
+    return low < high;
+  };
+  const auto ring_passes = [&](const slam::Ring& ring) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (passes(ring[i], ring[(i + 1) % ring.size()])) return true;
+    }
+    return false;
+  };
+  return slam::Contains(area, corners[0]) && !ring_passes(area.outer) &&
+         std::ranges::none_of(area.holes, ring_passes);
+}
+
 /// A place in the bounding box of the room and a little beyond.
 inline Eigen::Vector2d DrawAround(const slam::Ring& room, RandomStream& stream) {
   Eigen::Vector2d low = room.front(), high = low;
