@@ -4,6 +4,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "experiments/bounds/shortest_tour.h"
+#include "planning/path/geodesic.h"
+#include "slam/base/error.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::experiments {
@@ -26,71 +29,94 @@ Surrounding LookAround(const Floor& floor, const Eigen::Vector2d& p, const Floor
   return around;
 }
 
-/// What of the surrounding is within the field of view, and not yet seen; numbered anew.
-std::vector<int> Within(const Surrounding& around, double heading, double half_view,
-                        const std::vector<int>& number) {
+/// What of the surrounding is within the field of view.
+std::vector<int> Within(const Surrounding& around, double heading, double half_view) {
   std::vector<int> within;
   for (std::size_t i = 0; i < around.places.size(); ++i) {
-    if (number[around.places[i]] < 0) continue;
     if (std::abs(slam::WrapAngle(around.bearings[i] - heading)) > half_view) continue;
-    within.push_back(number[around.places[i]]);
+    within.push_back(static_cast<int>(around.places[i]));
   }
   return within;
 }
 
-/// Numbers for what the first view does not show; -1 for what it does.
-std::vector<int> NumberRest(const std::vector<std::uint32_t>& seen, std::size_t count) {
-  std::vector<int> number(count, 0);
-  for (const std::uint32_t k : seen) number[k] = -1;
-  int next = 0;
-  for (int& n : number) n = n < 0 ? n : next++;
-  return number;
-}
-
-/// Which share of what the sets cover makes up, with the first view, a share of everything.
-double RestShare(const CoverProblem& problem, double first, double all, double share) {
+/// Which share of what the sets cover makes up a share of everything.
+double ShareOfCoverable(const CoverProblem& problem, double share) {
   std::vector<bool> covered(problem.weights.size(), false);
   for (const auto& set : problem.sets) {
     for (const int e : set) covered[static_cast<std::size_t>(e)] = true;
   }
   const auto coverable = static_cast<double>(std::ranges::count(covered, true));
-  return std::clamp((share * all - first) / coverable, 1e-6, 1.0);
+  return std::min(1.0, share * static_cast<double>(covered.size()) / coverable);
+}
+
+Eigen::MatrixXd WaysBetween(const std::vector<slam::Pose2>& views, const planning::FreeSpace& free,
+                            double radius) {
+  const auto n = static_cast<Eigen::Index>(views.size());
+  Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto from = planning::DistancesFrom(free, views[static_cast<std::size_t>(i)].translation, radius);
+    for (Eigen::Index k = 0; k < i; ++k) {
+      ways(i, k) = ways(k, i) = from.To(views[static_cast<std::size_t>(k)].translation);
+    }
+  }
+  return ways;
 }
 
 }  // namespace
 
 FloorBound FindFloorBound(const Floor& floor, const std::vector<Eigen::Vector2d>& reachable,
-                          const FloorCover& cover, const slam::Pose2& T_map_start,
+                          const FloorCover& cover, const planning::FreeSpace& free,
                           const FloorScannerOptions& scanner, const FloorBoundOptions& options,
                           const Parallel& parallel) {
-  const auto first = SeenPlaces(ViewFloor(floor, T_map_start, scanner), cover, scanner);
-  const auto all = static_cast<double>(cover.places_map.size());
-  FloorBound bound{{T_map_start}, 1, static_cast<double>(first.size()) / all};
-  if (bound.covered >= options.cover.share) return bound;
-  const std::vector<int> number = NumberRest(first, cover.places_map.size());
   const std::vector<Eigen::Vector2d> places = Thinned(reachable, options.place_spacing);
   std::vector<Surrounding> around(places.size());
   parallel.For(places.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
     around[i] = LookAround(floor, places[i], cover, scanner);
   });
   CoverProblem problem;
-  problem.weights.assign(cover.places_map.size() - first.size(), cover.length_each);
+  problem.weights.assign(cover.places_map.size(), cover.length_each);
   const double half_view = 0.5 * slam::RadFromDeg(scanner.field_of_view);
   std::vector<slam::Pose2> views;
   for (std::size_t i = 0; i < places.size(); ++i) {
     for (int h = 0; h < options.headings; ++h) {
       const double heading = slam::WrapAngle(2.0 * std::numbers::pi * h / options.headings);
       views.push_back({heading, places[i]});
-      problem.sets.push_back(Within(around[i], heading, half_view, number));
+      problem.sets.push_back(Within(around[i], heading, half_view));
     }
   }
-  CoverOptions rest = options.cover;
-  rest.share = RestShare(problem, static_cast<double>(first.size()), all, options.cover.share);
-  const CoverResult result = MinimumCover(problem, rest);
+  CoverOptions search = options.cover;
+  search.share = ShareOfCoverable(problem, options.cover.share);
+  const CoverResult result = MinimumCover(problem, search);
+  FloorBound bound;
   for (const std::size_t k : result.chosen) bound.views.push_back(views[k]);
-  bound.lower_bound = 1 + result.lower_bound;
-  bound.covered += result.covered / cover.length_each / all;
+  bound.lower_bound = result.lower_bound;
+  bound.covered = result.covered / cover.length_each / static_cast<double>(cover.places_map.size());
+  bound.ways_to = WaysBetween(bound.views, free, options.robot_radius);
   return bound;
+}
+
+double TourLength(const FloorBound& bound, const Eigen::Vector2d& start, const planning::FreeSpace& free,
+                  double robot_radius) {
+  const Eigen::Index n = bound.ways_to.rows();
+  Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  ways.bottomRightCorner(n, n) = bound.ways_to;
+  const auto from = planning::DistancesFrom(free, start, robot_radius);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    ways(0, i + 1) = ways(i + 1, 0) = from.To(bound.views[static_cast<std::size_t>(i)].translation);
+  }
+  if (!ways.allFinite()) Fail("a tour through all views of the bound leads through no known space");
+  return ShortestTour(ways, 0).length;
+}
+
+planning::FreeSpace FreeFloor(const Floor& floor, const std::vector<Eigen::Vector2d>& reachable,
+                              const FloorScannerOptions& scanner, double place_spacing) {
+  FloorScannerOptions around = scanner;
+  around.field_of_view = 360.0;
+  std::vector<slam::Polygon2> seen;
+  for (const Eigen::Vector2d& p : Thinned(reachable, place_spacing)) {
+    seen.push_back(planning::ToPolygon2(ViewFloor(floor, {0.0, p}, around).polygon));
+  }
+  return planning::FreeSpace(slam::United(seen));
 }
 
 }  // namespace ariadne::experiments

@@ -7,11 +7,6 @@
 namespace ariadne::planning {
 namespace {
 
-double LogValue(const View& view, const NextViewOptions& options) {
-  return std::log(view.gain) - options.distance_weight * view.distance -
-         options.angle_weight * slam::DegFromRad(view.turn);
-}
-
 View Judge(const Eigen::Vector2d& p_map, const RayGain& gain, const slam::Pose2& T_map_robot,
            const NextViewOptions& options) {
   const ViewGain best = gain.At(p_map);
@@ -29,8 +24,16 @@ View Judge(const Eigen::Vector2d& p_map, const RayGain& gain, const slam::Pose2&
 
 }  // namespace
 
+double LogValue(const View& view, const NextViewOptions& options) {
+  const double gain = options.gain.measure == GainMeasure::kArea ? view.area : view.gain;
+  return std::log(gain) - options.distance_weight * view.distance -
+         options.angle_weight * slam::DegFromRad(view.turn);
+}
+
 NextViewOptions PaperNextViewOptions() {
   NextViewOptions options;
+  options.gain.measure = GainMeasure::kRays;
+  options.angle_weight = 0.01;
   options.distance_weight = 5.0;  // 0.05 per cm
   options.min_gain = 1;
   return options;

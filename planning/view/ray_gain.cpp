@@ -117,6 +117,10 @@ double RayGain::AreaBehind(const RayHit& hit) const {
   return 0.5 * step_ * (end * end - hit.distance * hit.distance);
 }
 
+double RayGain::GainOf(const RayHit& hit) const {
+  return options_.measure == GainMeasure::kArea ? AreaBehind(hit) : 1.0;
+}
+
 ViewGain RayGain::At(const Eigen::Vector2d& p_map) const { return Of(Cast(p_map)); }
 
 ViewGain RayGain::Of(std::span<const RayHit> hits) const {

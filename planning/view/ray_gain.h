@@ -73,6 +73,9 @@ class RayGain {
   /// f(p, i): whether a ray meets an unseen edge within the range limits.
   bool IsUnseen(const RayHit& hit) const;
 
+  /// What a ray that meets an unseen edge counts: 1, or an area [m^2].
+  double GainOf(const RayHit& hit) const;
+
   /// V(p) and theta_p. Ties as in BestWindow, value 0 being the heading.
   ViewGain At(const Eigen::Vector2d& p_map) const;
 

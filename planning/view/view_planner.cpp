@@ -35,31 +35,31 @@ struct Scene {
   }
 };
 
-using Elements = std::map<std::pair<std::size_t, long>, std::uint32_t>;
+using PieceNumbers = std::map<std::pair<std::size_t, long>, std::uint32_t>;
 
 /// Judged candidates, and what the policies need of them.
 struct Judged {
   std::vector<View> views;
-  std::vector<std::vector<std::uint32_t>> elements;
-  Elements numbers;
+  std::vector<std::vector<EdgePiece>> pieces;
+  PieceNumbers numbers;
 };
 
 /// The pieces of unseen edges that the rays of a view meet.
-std::vector<std::uint32_t> ElementsOf(const Scene& scene, const View& view, std::span<const RayHit> hits,
-                                      double length, Elements& numbers) {
-  std::vector<std::uint32_t> elements;
+std::vector<EdgePiece> PiecesOf(const Scene& scene, const View& view, std::span<const RayHit> hits,
+                                double length, PieceNumbers& numbers) {
+  std::map<std::uint32_t, double> gains;
   for (const std::size_t i : scene.gain.RaysAbout(view.direction)) {
     if (!scene.gain.IsUnseen(hits[i])) continue;
     const Eigen::Vector2d p = view.p_map + hits[i].distance * scene.gain.Direction(i);
     const double along = (p - scene.edges[hits[i].edge].from).norm();
     const std::pair piece(hits[i].edge, static_cast<long>(along / length));
-    elements.push_back(
-        numbers.try_emplace(piece, static_cast<std::uint32_t>(numbers.size())).first->second);
+    const auto number =
+        numbers.try_emplace(piece, static_cast<std::uint32_t>(numbers.size())).first->second;
+    gains[number] += scene.gain.GainOf(hits[i]);
   }
-  std::ranges::sort(elements);
-  const auto rest = std::ranges::unique(elements);
-  elements.erase(rest.begin(), rest.end());
-  return elements;
+  std::vector<EdgePiece> pieces;
+  for (const auto& [number, gain] : gains) pieces.push_back({number, gain});
+  return pieces;
 }
 
 void Judge(const Scene& scene, const Eigen::Vector2d& p_map, double way, const slam::Pose2& T_map_robot,
@@ -69,11 +69,10 @@ void Judge(const Scene& scene, const Eigen::Vector2d& p_map, double way, const s
   View view{p_map, best.direction, best.gain, best.area, best.overlap, way, 0.0, 0.0};
   if (options.way == WayLength::kStraight) view.distance = (p_map - T_map_robot.translation).norm();
   view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot.angle));
-  view.value = view.gain * std::exp(-options.view.distance_weight * view.distance -
-                                    options.view.angle_weight * slam::DegFromRad(view.turn));
+  view.value = std::exp(LogValue(view, options.view));
   judged.views.push_back(view);
   if (!LooksAhead(options.policy)) return;
-  judged.elements.push_back(ElementsOf(scene, view, hits, options.element, judged.numbers));
+  judged.pieces.push_back(PiecesOf(scene, view, hits, options.piece, judged.numbers));
 }
 
 /// Judges the places that the robot can get to, up to a number.
@@ -92,7 +91,7 @@ Judged JudgeReachable(const Scene& scene, std::span<const Eigen::Vector2d> place
 /// Chooses among the judged views, where any is worth a stop.
 std::optional<std::size_t> Choose(const Scene& scene, const Judged& judged,
                                   const ViewPlannerOptions& options, std::uint64_t seed) {
-  ViewChoice choice{judged.views, {}, judged.elements, judged.numbers.size(), {}};
+  ViewChoice choice{judged.views, {}, judged.pieces, {}};
   for (std::size_t i = 0; i < judged.views.size(); ++i) {
     const View& view = judged.views[i];
     if (view.gain >= options.view.min_gain && view.overlap >= options.min_overlap)

@@ -18,7 +18,6 @@ enum class ViewPolicy {
   kNearestFrontier,  // of the places before unseen edges the nearest (Yamauchi 1997)
   kPotentialArea,    // area behind unseen edges times exp(-way / 5 m) (Gonzalez-Banos, Latombe 2002)
   kTwoSteps,         // the first of the pair that shows most per way
-  kTour,             // the first of a short tour of views that show all unseen edges together
 };
 
 enum class WayLength {
@@ -27,12 +26,12 @@ enum class WayLength {
 };
 
 struct ViewPlannerOptions {
-  ViewPolicy policy = ViewPolicy::kTour;
+  ViewPolicy policy = ViewPolicy::kExponential;
   WayLength way = WayLength::kGeodesic;
   double robot_radius = 0.3;
   double min_overlap = 0.0;
   int second_look = 1000;
-  double element = 0.5;
+  double piece = 0.5;
   FreeSpaceOptions free_space;
   CandidateOptions candidates;
   NextViewOptions view;
@@ -50,8 +49,8 @@ struct ViewPlannerOptions {
     visit("second_look", self.second_look, Unit(""), Range{0, 1000000},
           "places before unseen edges that are looked at, at most, before exploration ends; 0: it ends "
           "where no candidate has enough gain");
-    visit("element", self.element, Unit("m"), Range{0.01, 10.0},
-          "piece of an unseen edge that counts as seen or not, where views are planned together");
+    visit("piece", self.piece, Unit("m"), Range{0.01, 10.0},
+          "of an unseen edge, that counts as seen or not where two views are planned together");
     visit("free_space", self.free_space, "the raster on which ways are found");
     visit("candidates", self.candidates, "places that are judged");
     visit("view", self.view, "the gain and the weights");
@@ -86,8 +85,8 @@ namespace ariadne {
 
 template <>
 struct EnumNames<planning::ViewPolicy> {
-  static constexpr std::array<std::string_view, 7> value{
-      "exponential", "gain", "random", "nearest_frontier", "potential_area", "two_steps", "tour"};
+  static constexpr std::array<std::string_view, 6> value{"exponential",      "gain",           "random",
+                                                         "nearest_frontier", "potential_area", "two_steps"};
 };
 
 template <>

@@ -20,8 +20,8 @@ Places DrawInHall(std::uint64_t seed) { return DrawCandidates(std::array{Hall()}
 
 const slam::Pose2 kRobot{0.5, {2.0, 2.0}};
 
-TEST(NextView, IsTheOneOfHighestValue) {
-  const NextViewOptions options;
+/// Sec. 4.2 step 6 by its letters, in the paper's units; c1 in 1/cm, c2 in 1/deg.
+void ExpectTheHighestValue(const NextViewOptions& options, double c1, double c2, double View::*gain) {
   const NextViewResult result = ChooseNextView(DrawInHall(1), LabelledHall(1), kRobot, options);
   ASSERT_EQ(result.status, NextViewStatus::kFound);
   ASSERT_EQ(result.views.size(), 200u);
@@ -30,10 +30,16 @@ TEST(NextView, IsTheOneOfHighestValue) {
     double turn = std::fmod(std::abs(view.direction - kRobot.angle), 2.0 * M_PI) * 180.0 / M_PI;
     if (turn > 180.0) turn = 360.0 - turn;
     const double centimeters = 100.0 * std::hypot(view.p_map.x() - 2.0, view.p_map.y() - 2.0);
-    EXPECT_NEAR(view.value, view.gain * std::exp(-0.005 * centimeters) * std::exp(-0.01 * turn), 1e-9);
+    const double rays = gain == nullptr ? view.gain : view.*gain;
+    EXPECT_NEAR(view.value, rays * std::exp(-c1 * centimeters) * std::exp(-c2 * turn), 1e-9);
     if (view.gain >= options.min_gain) highest = std::max(highest, view.value);
   }
   EXPECT_EQ(result.views[*result.chosen].value, highest);
+}
+
+TEST(NextView, IsTheOneOfHighestValue) {
+  ExpectTheHighestValue(PaperNextViewOptions(), 0.05, 0.01, nullptr);
+  ExpectTheHighestValue({}, 0.001, 0.002, &View::area);
 }
 
 TEST(NextView, OfThePaperHardlyLeavesItsPlace) {
@@ -108,8 +114,8 @@ std::vector<char> BytesOf(const NextViewResult& result) {
     bytes.insert(bytes.end(), begin, begin + sizeof value);
   };
   append(*result.chosen);
-  for (const auto& [p_map, direction, gain, distance, turn, value] : result.views) {
-    append(p_map.x()), append(p_map.y()), append(direction), append(gain);
+  for (const auto& [p_map, direction, gain, area, overlap, distance, turn, value] : result.views) {
+    append(p_map.x()), append(p_map.y()), append(direction), append(gain), append(area), append(overlap);
     append(distance), append(turn), append(value);
   }
   return bytes;
