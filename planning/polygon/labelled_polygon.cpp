@@ -1,15 +1,20 @@
 #include "planning/polygon/labelled_polygon.h"
 
+#include <algorithm>
+
 #include "slam/base/error.h"
 
 namespace ariadne::planning {
 namespace {
 
 constexpr double kFarthest = 1e5;   // what the docstring promises [m]
-constexpr double kTouching = 1e-7;  // far above rounding of places within a building [m]
+constexpr double kTouching = 1e-3;  // unions round to 0.1 mm, and thin wedges cross by some of that [m]
 
 struct PlainEdge {
   Eigen::Vector2d from, to;
+
+  double Left() const { return std::min(from.x(), to.x()); }
+  double Right() const { return std::max(from.x(), to.x()); }
 };
 
 slam::Ring CornersOf(const LabelledRing& ring) {
@@ -31,6 +36,11 @@ double LengthOf(const LabelledPolygon& polygon, bool seen) {
   double length = LengthOf(polygon.outer, seen);
   for (const LabelledRing& hole : polygon.holes) length += LengthOf(hole, seen);
   return length;
+}
+
+bool ApartInY(const PlainEdge& a, const PlainEdge& b) {
+  return std::max(a.from.y(), a.to.y()) < std::min(b.from.y(), b.to.y()) ||
+         std::max(b.from.y(), b.to.y()) < std::min(a.from.y(), a.to.y());
 }
 
 /// Whether the ends of `edge` are on different sides of the line through `line`.
@@ -82,9 +92,12 @@ void RequireSimple(const LabelledPolygon& polygon) {
   std::vector<PlainEdge> edges;
   AppendEdges(polygon.outer, edges);
   for (const LabelledRing& hole : polygon.holes) AppendEdges(hole, edges);
+  std::ranges::stable_sort(edges, {}, &PlainEdge::Left);
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    for (std::size_t j = i + 1; j < edges.size(); ++j) {
-      if (!LiesAcross(edges[i], edges[j]) || !LiesAcross(edges[j], edges[i])) continue;
+    for (std::size_t j = i + 1; j < edges.size() && edges[j].Left() <= edges[i].Right(); ++j) {
+      if (ApartInY(edges[i], edges[j]) || !LiesAcross(edges[i], edges[j]) ||
+          !LiesAcross(edges[j], edges[i]))
+        continue;
       Fail("edges of a polygon cross, those from ({}, {}) and from ({}, {})", edges[i].from.x(),
            edges[i].from.y(), edges[j].from.x(), edges[j].from.y());
     }

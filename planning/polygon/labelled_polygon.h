@@ -36,7 +36,7 @@ double UnseenLength(const LabelledPolygon& polygon);
 bool Contains(const LabelledPolygon& polygon, const Eigen::Vector2d& p_map);
 
 /// Throws an Error that names what is wrong with a polygon: a corner that is no place within 100 km, a ring
-/// of one or two corners, edges that cross by more than a tenth of a micrometre. Edges may touch.
+/// of one or two corners, edges that cross by more than 1 mm. Edges may touch.
 void RequireSimple(const LabelledPolygon& polygon);
 
 }  // namespace ariadne::planning

@@ -2,64 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <iterator>
+
+#include "planning/polygon/boundary_labels.h"
 
 namespace ariadne::planning {
 namespace {
 
-constexpr double kRounding = 3e-4;    // corners and crossings are on a grid of 0.1 mm [m]
-constexpr double kAnyAngle = 0.8;     // within the rounding, an edge lies along a boundary up to here [rad]
+constexpr double kFiner = 100.0;      // a grid of 1 um: what touches on one of 0.1 mm is not left apart
+constexpr double kSpikeWidth = 3e-6;  // what rounding makes of none [m]
 constexpr double kLeastPiece = 1e-3;  // what is shorter takes the label of its neighbour [m]
-
-struct SeenEdge {
-  Eigen::Vector2d from, to;
-};
-
-/// A part of an edge, in metres from its first corner.
-struct Stretch {
-  double begin, end;
-};
-
-void AppendSeen(const LabelledRing& ring, bool is_hole, std::vector<SeenEdge>& seen) {
-  const bool clockwise = slam::SignedArea(ToPolygon2({ring, {}}).outer) < 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (!ring[i].seen) continue;
-    const Eigen::Vector2d& from = ring[i].p_map;
-    const Eigen::Vector2d& to = ring[(i + 1) % ring.size()].p_map;
-    seen.push_back(clockwise == is_hole ? SeenEdge{from, to} : SeenEdge{to, from});
-  }
-}
-
-std::vector<SeenEdge> SeenEdges(std::span<const LabelledPolygon> polygons) {
-  std::vector<SeenEdge> seen;
-  for (const LabelledPolygon& polygon : polygons) {
-    AppendSeen(polygon.outer, false, seen);
-    for (const LabelledRing& hole : polygon.holes) AppendSeen(hole, true, seen);
-  }
-  return seen;
-}
-
-/// Where the edge from p along the unit vector runs beside a seen edge, up to `distance` from it.
-std::optional<Stretch> Beside(const Eigen::Vector2d& p, const Eigen::Vector2d& along, double length,
-                              const SeenEdge& seen, double distance, double max_angle) {
-  const Eigen::Vector2d across(-along.y(), along.x());
-  const Eigen::Vector2d run = seen.to - seen.from;
-  const double advance = along.dot(run);
-  if (advance <= 0.0 || std::abs(across.dot(run)) > std::tan(max_angle) * advance) return {};
-  const double start = along.dot(seen.from - p);
-  const double slope = across.dot(run) / advance;
-  const double offset = across.dot(seen.from - p);  // at `start`
-  Stretch stretch{std::max(start, 0.0), std::min(start + advance, length)};
-  if (std::abs(slope) * advance < 1e-12) {
-    if (std::abs(offset) > distance) return {};
-  } else {
-    const double center = start - offset / slope;  // where the two lines meet
-    stretch.begin = std::max(stretch.begin, center - distance / std::abs(slope));
-    stretch.end = std::min(stretch.end, center + distance / std::abs(slope));
-  }
-  if (stretch.begin >= stretch.end) return {};
-  return stretch;
-}
 
 /// Ascending, without overlaps and without gaps shorter than a piece may be.
 std::vector<Stretch> Joined(std::vector<Stretch> stretches) {
@@ -76,17 +28,14 @@ std::vector<Stretch> Joined(std::vector<Stretch> stretches) {
 }
 
 /// The edge from p to q, cut where its label changes: the corners without q.
-void AppendCut(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const std::vector<SeenEdge>& seen,
+void AppendCut(const Eigen::Vector2d& p, const Eigen::Vector2d& q, const std::vector<DirectedEdge>& edges,
                const LabelledUnionOptions& options, LabelledRing& ring) {
   const double length = (q - p).norm();
   const Eigen::Vector2d along = (q - p) / length;
-  std::vector<Stretch> stretches;
-  for (const SeenEdge& edge : seen) {
-    if (const auto exact = Beside(p, along, length, edge, kRounding, kAnyAngle))
-      stretches.push_back(*exact);
-    if (options.tolerance <= kRounding) continue;
-    const auto near = Beside(p, along, length, edge, options.tolerance, options.max_angle);
-    if (near) stretches.push_back(*near);
+  std::vector<Stretch> stretches = SeenStretches(p, along, length, edges);
+  if (options.tolerance > 0.0) {
+    std::ranges::copy(StretchesNearSeen(p, along, length, edges, options.tolerance, options.max_angle),
+                      std::back_inserter(stretches));
   }
   const double least = std::min(kLeastPiece, 0.5 * length);
   double done = 0.0;
@@ -115,15 +64,41 @@ void BridgeSteps(LabelledRing& ring, double tolerance) {
   }
 }
 
-LabelledRing Labelled(const slam::Ring& corners, const std::vector<SeenEdge>& seen,
+LabelledRing Labelled(const slam::Ring& corners, const std::vector<DirectedEdge>& edges,
                       const LabelledUnionOptions& options) {
   LabelledRing ring;
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const Eigen::Vector2d& next = corners[(i + 1) % corners.size()];
-    if (next != corners[i]) AppendCut(corners[i], next, seen, options, ring);
+    if (next != corners[i]) AppendCut(corners[i], next, edges, options, ring);
   }
-  BridgeSteps(ring, std::max(options.tolerance, kRounding));
+  BridgeSteps(ring, std::max(options.tolerance, kUnionRounding));
   return ring;
+}
+
+/// Whether a ring runs to b and the same way back.
+bool IsSpike(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+  const Eigen::Vector2d there = b - a;
+  const Eigen::Vector2d back = c - b;
+  if (there.dot(back) >= 0.0) return there == Eigen::Vector2d::Zero() || back == Eigen::Vector2d::Zero();
+  const double longer = std::max(there.norm(), back.norm());
+  return std::abs(there.x() * back.y() - there.y() * back.x()) < kSpikeWidth * longer;
+}
+
+/// Where polygons touch, rounding may leave spikes without width, which would be walls within the area.
+slam::Ring WithoutSpikes(slam::Ring ring) {
+  for (std::size_t i = 0, unchanged = 0; ring.size() > 2 && unchanged < ring.size();) {
+    const std::size_t n = ring.size();
+    i %= n;
+    if (IsSpike(ring[(i + n - 1) % n], ring[i], ring[(i + 1) % n])) {
+      ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(i));
+      i += ring.size() - 1;  // its neighbours may now be one
+      unchanged = 0;
+    } else {
+      ++i;
+      ++unchanged;
+    }
+  }
+  return ring.size() < 3 ? slam::Ring{} : ring;
 }
 
 /// Whether a hole is the gap that noise leaves between two polygons. A thin wall is seen, and stays.
@@ -133,22 +108,46 @@ bool IsSliver(const LabelledRing& hole, double tolerance) {
   return 2.0 * slam::Area(area) < tolerance * length && SeenLength({hole, {}}) < 0.5 * length;
 }
 
+void Scale(slam::Polygon2& area, double factor) {
+  for (Eigen::Vector2d& p : area.outer) p *= factor;
+  for (slam::Ring& hole : area.holes) {
+    for (Eigen::Vector2d& p : hole) p *= factor;
+  }
+}
+
+void RemoveSpikes(std::vector<slam::Polygon2>& areas) {
+  for (slam::Polygon2& area : areas) {
+    area.outer = WithoutSpikes(std::move(area.outer));
+    for (slam::Ring& hole : area.holes) hole = WithoutSpikes(std::move(hole));
+    std::erase_if(area.holes, [](const slam::Ring& hole) { return hole.empty(); });
+  }
+  std::erase_if(areas, [](const slam::Polygon2& area) { return area.outer.empty(); });
+}
+
+/// Twice, because Clipper now and then leaves two areas apart that have an edge in common.
+std::vector<slam::Polygon2> FinelyUnited(std::span<const LabelledPolygon> polygons) {
+  std::vector<slam::Polygon2> areas;
+  for (const LabelledPolygon& polygon : polygons) {
+    if (!polygon.empty()) Scale(areas.emplace_back(ToPolygon2(polygon)), kFiner);
+  }
+  areas = slam::United(slam::United(areas));
+  for (slam::Polygon2& area : areas) Scale(area, 1.0 / kFiner);
+  RemoveSpikes(areas);
+  return areas;
+}
+
 }  // namespace
 
 std::vector<LabelledPolygon> LabelledUnion(std::span<const LabelledPolygon> polygons,
                                            const LabelledUnionOptions& options) {
   CheckOptions(options, "labelled_union.");
-  std::vector<slam::Polygon2> areas;
-  for (const LabelledPolygon& polygon : polygons) {
-    RequireSimple(polygon);
-    if (!polygon.empty()) areas.push_back(ToPolygon2(polygon));
-  }
-  const std::vector<SeenEdge> seen = SeenEdges(polygons);
+  for (const LabelledPolygon& polygon : polygons) RequireSimple(polygon);
+  const std::vector<DirectedEdge> edges = DirectedEdges(polygons);
   std::vector<LabelledPolygon> united;
-  for (const slam::Polygon2& area : slam::United(areas)) {
-    united.push_back({Labelled(area.outer, seen, options), {}});
+  for (const slam::Polygon2& area : FinelyUnited(polygons)) {
+    united.push_back({Labelled(area.outer, edges, options), {}});
     for (const slam::Ring& corners : area.holes) {
-      LabelledRing hole = Labelled(corners, seen, options);
+      LabelledRing hole = Labelled(corners, edges, options);
       if (!IsSliver(hole, options.tolerance)) united.back().holes.push_back(std::move(hole));
     }
   }

@@ -25,7 +25,8 @@ struct LabelledUnionOptions {
 
 /// The areas that any of the polygons covers (Sec. 4.3; Vatti's algorithm), with labels. A piece of the
 /// boundary is seen where a seen edge of any polygon lies along it, with the area on the same side: seen
-/// wins where both lie on each other. Corners are rounded to 0.1 mm.
+/// wins where both lie on each other. Corners are rounded to 1 micrometre; pieces below 1 mm may take the
+/// label of their neighbour.
 ///
 /// Noise of registration puts the same wall into two places, and the outer one of the two edges, which
 /// becomes the boundary, may be the unseen one; hence the tolerance. It moves no corner: an opening loses

@@ -11,6 +11,8 @@
 
 #include "slam/base/random.h"
 #include "slam/geometry/pose2.h"
+#include "tests/planning/polygon/check_union.h"
+#include "tests/planning/polygon/random_polygons.h"
 #include "tests/support/error_of.h"
 
 namespace ariadne::planning {
@@ -19,18 +21,6 @@ namespace {
 using Eigen::Vector2d;
 using testing::HasSubstr;
 constexpr double kHalfCircle = std::numbers::pi;
-constexpr LabelledUnionOptions kExact{0.0, 0.0};
-
-/// A rectangle whose edges (below, right, above, left) have these labels.
-LabelledPolygon Rectangle(const Vector2d& low, const Vector2d& high, const std::array<bool, 4>& seen) {
-  return {{{low, seen[0]}, {{high.x(), low.y()}, seen[1]}, {high, seen[2]}, {{low.x(), high.y()}, seen[3]}},
-          {}};
-}
-
-LabelledPolygon Moved(const slam::Pose2& T_a_b, LabelledPolygon polygon) {
-  for (LabelledCorner& corner : polygon.outer) corner.p_map = T_a_b * corner.p_map;
-  return polygon;
-}
 
 double SeenLength(const std::vector<LabelledPolygon>& polygons) {
   double length = 0.0;
@@ -42,114 +32,6 @@ double UnseenLength(const std::vector<LabelledPolygon>& polygons) {
   double length = 0.0;
   for (const LabelledPolygon& polygon : polygons) length += planning::UnseenLength(polygon);
   return length;
-}
-
-LabelledPolygon DrawStar(RandomStream& stream) {
-  const Vector2d center(DrawUniform(stream, -3.0, 3.0), DrawUniform(stream, -3.0, 3.0));
-  const int corners = static_cast<int>(DrawUniform(stream, 3.0, 14.0));
-  const double start = DrawUniform(stream, 0.0, kHalfCircle);
-  LabelledPolygon star;
-  for (int i = 0; i < corners; ++i) {
-    const double bearing = start + 2.0 * kHalfCircle * i / corners;
-    const Vector2d u(std::cos(bearing), std::sin(bearing));
-    star.outer.push_back({center + DrawUniform(stream, 0.5, 4.0) * u, DrawUniform(stream, 0.0, 1.0) < 0.5});
-  }
-  return star;
-}
-
-/// On a grid of 1 m, so that edges of several lie on each other; every other one turned by noise.
-LabelledPolygon DrawRectangle(RandomStream& stream) {
-  const auto whole = [&](double low, double high) { return std::floor(DrawUniform(stream, low, high)); };
-  const Vector2d low(whole(-4.0, 4.0), whole(-4.0, 4.0));
-  const Vector2d high = low + Vector2d(whole(1.0, 4.0), whole(1.0, 4.0));
-  std::array<bool, 4> seen{};
-  for (bool& one : seen) one = DrawUniform(stream, 0.0, 1.0) < 0.5;
-  const LabelledPolygon rectangle = Rectangle(low, high, seen);
-  if (DrawUniform(stream, 0.0, 1.0) < 0.5) return rectangle;
-  const Vector2d shift(DrawNormal(stream, 0.0, 0.03), DrawNormal(stream, 0.0, 0.03));
-  return Moved({DrawNormal(stream, 0.0, 0.017), shift}, rectangle);
-}
-
-/// The oracle, which shares nothing with the union: how often a ring goes round p.
-int Winding(const LabelledRing& ring, const Vector2d& p) {
-  double turned = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vector2d a = ring[i].p_map - p;
-    const Vector2d b = ring[(i + 1) % ring.size()].p_map - p;
-    turned += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
-  }
-  return static_cast<int>(std::lround(turned / (2.0 * kHalfCircle)));
-}
-
-double DistanceToEdge(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const double share = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
-  return (p - a - share * (b - a)).norm();
-}
-
-struct Nearby {
-  double seen = std::numeric_limits<double>::infinity();    // distance to the nearest edge of that label
-  double unseen = std::numeric_limits<double>::infinity();  // [m]
-};
-
-Nearby NearestEdges(const std::vector<LabelledPolygon>& inputs, const Vector2d& p) {
-  Nearby nearby;
-  for (const LabelledPolygon& input : inputs) {
-    for (std::size_t i = 0; i < input.outer.size(); ++i) {
-      const LabelledCorner& a = input.outer[i];
-      const double distance = DistanceToEdge(p, a.p_map, input.outer[(i + 1) % input.outer.size()].p_map);
-      double& nearest = a.seen ? nearby.seen : nearby.unseen;
-      nearest = std::min(nearest, distance);
-    }
-  }
-  return nearby;
-}
-
-bool Covered(const std::vector<LabelledPolygon>& inputs, const Vector2d& p) {
-  return std::ranges::any_of(inputs,
-                             [&](const LabelledPolygon& input) { return Winding(input.outer, p) != 0; });
-}
-
-/// Checks an edge piece of more than 1 mm, at places along it: there is an edge of that label, and where an
-/// edge of the other label is too, it is seen; the area begins to the left, and nothing is to the right.
-void CheckPiece(const std::vector<LabelledPolygon>& inputs, const LabelledCorner& from,
-                const Vector2d& to) {
-  constexpr double kRounding = 4e-4;
-  constexpr std::array kBeside{1e-4, 1.5e-4, 2e-4, 3e-4, 5e-4, 1e-3};  // [m]
-  const Vector2d along = to - from.p_map;
-  if (along.norm() < 1e-3) return;
-  const Vector2d left = Vector2d(-along.y(), along.x()).normalized();
-  for (const double share : {0.5, 0.5e-3 / along.norm(), 1.0 - 0.5e-3 / along.norm()}) {
-    const Vector2d p = from.p_map + share * along;
-    const Nearby nearby = NearestEdges(inputs, p);
-    if (from.seen) {
-      EXPECT_LT(nearby.seen, kRounding);
-    } else if (share == 0.5) {
-      EXPECT_LT(nearby.unseen, kRounding);
-    }
-    if (share == 0.5 && along.norm() > 0.01) {
-      // The area, and the space outside of it, may be a wedge hardly wider than the rounding.
-      EXPECT_TRUE(std::ranges::any_of(kBeside, [&](double d) { return Covered(inputs, p + d * left); }));
-      EXPECT_FALSE(std::ranges::all_of(kBeside, [&](double d) { return Covered(inputs, p - d * left); }));
-    }
-  }
-}
-
-void CheckUnion(const std::vector<LabelledPolygon>& inputs) {
-  double area = 0.0;
-  for (const LabelledPolygon& polygon : LabelledUnion(inputs, kExact)) {
-    std::vector<LabelledRing> rings = polygon.holes;
-    rings.push_back(polygon.outer);
-    for (const LabelledRing& ring : rings) {
-      for (std::size_t i = 0; i < ring.size(); ++i)
-        CheckPiece(inputs, ring[i], ring[(i + 1) % ring.size()].p_map);
-    }
-    area += slam::Area(ToPolygon2(polygon));
-  }
-  std::vector<slam::Polygon2> plain;
-  for (const LabelledPolygon& input : inputs) plain.push_back(ToPolygon2(input));
-  double expected = 0.0;
-  for (const slam::Polygon2& polygon : slam::United(plain)) expected += slam::Area(polygon);
-  EXPECT_NEAR(area, expected, 1e-6);  // cutting edges moves nothing
 }
 
 TEST(LabelledUnion, AnOpeningBetweenWallsInOneLineSurvives) {
@@ -187,19 +69,6 @@ TEST(LabelledUnion, HolesKeepTheirLabels) {
   EXPECT_NEAR(planning::UnseenLength({united[0].holes[0], {}}), 2.0, 1e-3);  // above the lowest
   EXPECT_FALSE(Contains(united[0], {3.0, 3.0}));
   EXPECT_NEAR(UnseenLength(LabelledUnion(united)), UnseenLength(united), 1e-6);  // again: holes as input
-}
-
-TEST(LabelledUnion, AgreesWithAnIndependentOracle) {
-  RandomStream stream = NamedStream(3, "test/labelled_union");
-  for (int round = 0; round < 1500 && !testing::Test::HasFailure(); ++round) {
-    SCOPED_TRACE(round);
-    std::vector<LabelledPolygon> inputs(static_cast<std::size_t>(DrawUniform(stream, 1.0, 7.0)));
-    for (LabelledPolygon& input : inputs) {
-      const bool star = round % 3 == 0 || (round % 3 == 1 && DrawUniform(stream, 0.0, 1.0) < 0.5);
-      input = star ? DrawStar(stream) : DrawRectangle(stream);
-    }
-    CheckUnion(inputs);
-  }
 }
 
 // Two scans of a room with a door, each with a part of a wall that it has not found, and poses that err.

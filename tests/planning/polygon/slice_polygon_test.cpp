@@ -87,8 +87,6 @@ double MedianOverlap(double range_sigma, const slam::LineOptions& lines) {
     overlaps.push_back(OverlapWithVisible(polygon, room.world, T_map_scan, heading));
   }
   std::ranges::sort(overlaps);
-  std::printf("IoU sigma %g: worst %.4f, 10%% %.4f, median %.4f\n", range_sigma, overlaps[0], overlaps[5],
-              overlaps[25]);
   return overlaps[25];
 }
 
