@@ -16,9 +16,9 @@ class Halving {
         smallest_(options.smallest) {}
 
   bool IsFree(const Eigen::Vector2d& centre, double length, double width) const {
-    const double clearance = space_.Clearance(centre);
-    if (clearance >= 0.5 * std::hypot(length, width) + margin_) return true;
-    if (clearance < 0.5 * std::min(length, width) + margin_) return false;  // no smaller disc will help
+    if (space_.IsFree(centre, 0.5 * std::hypot(length, width) + margin_)) return true;
+    if (!space_.IsFree(centre, 0.5 * std::min(length, width) + margin_))
+      return false;  // nor will its parts be
     if (std::max(length, width) <= smallest_) return false;
     const bool across = length >= width;
     const Eigen::Vector2d quarter = across ? 0.25 * length * axis_ : 0.25 * width * side_;

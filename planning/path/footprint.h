@@ -35,8 +35,8 @@ class Footprint {
   explicit Footprint(const FootprintOptions& options = {});
 
   /// Whether the robot, and its margin around it, lies within the area. Where it says so it is so; it may
-  /// say no to a place that leaves less than 0.21 smallest and what FreeSpace::Clearance may lack, 2 cm in
-  /// all.
+  /// say no to a place that leaves less than 0.21 smallest, and 2.5 cm where the margin is below 0.71
+  /// cells.
   bool IsFree(const FreeSpace& space, const slam::Pose2& T_map_robot) const;
 
   /// Of the rectangle, counterclockwise, without the margin.

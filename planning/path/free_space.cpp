@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "planning/path/distance_transform.h"
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kMaxPlace = 1e7;   // [m]
 constexpr double kLongPiece = 2.0;  // [m]; boxes around longer slanted edges hold mostly other cells
+constexpr double kBin = 0.5;        // [m]
 constexpr float kFar = std::numeric_limits<float>::infinity();
 
 bool IsPlace(const Eigen::Vector2d& p) {
@@ -28,7 +30,7 @@ int FirstAt(double at, int count) { return static_cast<int>(std::clamp(std::ceil
 }  // namespace
 
 FreeSpace::FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOptions& options)
-    : resolution_(options.resolution) {
+    : resolution_(options.resolution), exact_within_(options.exact_within) {
   CheckOptions(options, "free_space.");
   const auto add = [this](const slam::Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i) edges_.push_back({ring[i], ring[(i + 1) % ring.size()]});
@@ -44,6 +46,7 @@ FreeSpace::FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOption
   for (const Segment& edge : edges_) FindExactDistances(edge, reach);
   FindFarDistances(reach);
   MarkOutside();
+  FillBins();
 }
 
 void FreeSpace::SetSize(const FreeSpaceOptions& options) {
@@ -179,15 +182,74 @@ double FreeSpace::Clearance(const Eigen::Vector2d& p_map) const {
   return std::sqrt(std::max(0.0, mean - spread));
 }
 
+FreeSpace::Bin FreeSpace::BinOf(const Eigen::Vector2d& p_map) const {
+  const Eigen::Vector2d at = ((p_map - lowest_) / kBin).array().floor();
+  return {static_cast<int>(std::clamp(at.x(), 0.0, bin_columns_ - 1.0)),
+          static_cast<int>(std::clamp(at.y(), 0.0, bin_rows_ - 1.0))};
+}
+
+void FreeSpace::FillBins() {
+  bin_columns_ = static_cast<int>(std::ceil(columns_ * resolution_ / kBin));
+  bin_rows_ = static_cast<int>(std::ceil(rows_ * resolution_ / kBin));
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries;  // bin, edge
+  for (std::size_t edge = 0; edge < edges_.size(); ++edge) {
+    const Eigen::Vector2d from = edges_[edge].from, along = edges_[edge].to - from;
+    const int pieces = std::max(1, static_cast<int>(std::ceil(along.norm() / kBin)));
+    for (int i = 0; i < pieces; ++i) {
+      const Eigen::Vector2d a = from + along * i / pieces, b = from + along * (i + 1) / pieces;
+      // Pieces meet in rounded places; a little more than the box holds them.
+      const Bin low = BinOf(a.cwiseMin(b).array() - 1e-6), high = BinOf(a.cwiseMax(b).array() + 1e-6);
+      for (int row = low.row; row <= high.row; ++row) {
+        for (int column = low.column; column <= high.column; ++column) {
+          entries.emplace_back(row * bin_columns_ + column, edge);
+        }
+      }
+    }
+  }
+  std::ranges::sort(entries);
+  const auto repeated = std::ranges::unique(entries);
+  entries.erase(repeated.begin(), repeated.end());
+  bin_begin_.assign(static_cast<std::size_t>(bin_columns_) * static_cast<std::size_t>(bin_rows_) + 1, 0);
+  for (const auto& entry : entries) {
+    ++bin_begin_[entry.first + 1];
+    bin_edges_.push_back(entry.second);
+  }
+  std::partial_sum(bin_begin_.begin(), bin_begin_.end(), bin_begin_.begin());
+}
+
+bool FreeSpace::IsFarFromEdges(const Eigen::Vector2d& p_map, double radius) const {
+  const Bin low = BinOf(p_map.array() - radius), high = BinOf(p_map.array() + radius);
+  for (int row = low.row; row <= high.row; ++row) {
+    const auto bins = static_cast<std::size_t>(row) * static_cast<std::size_t>(bin_columns_);
+    const std::uint32_t end = bin_begin_[bins + static_cast<std::size_t>(high.column) + 1];
+    for (std::uint32_t i = bin_begin_[bins + static_cast<std::size_t>(low.column)]; i < end; ++i) {
+      const Segment& edge = edges_[bin_edges_[i]];
+      const Eigen::Vector2d along = edge.to - edge.from;
+      const double square = along.squaredNorm();
+      const double t = square > 0.0 ? std::clamp((p_map - edge.from).dot(along) / square, 0.0, 1.0) : 0.0;
+      if ((edge.from + t * along - p_map).squaredNorm() < radius * radius) return false;
+    }
+  }
+  return true;
+}
+
+bool FreeSpace::IsFree(const Eigen::Vector2d& p_map, double radius) const {
+  const double clearance = Clearance(p_map);
+  if (clearance >= radius) return true;
+  const double most = clearance + resolution_ * std::numbers::sqrt2 / 2.0;
+  if (clearance == 0.0 || most < radius || radius > exact_within_) return false;
+  return IsFarFromEdges(p_map, radius);
+}
+
 bool FreeSpace::IsWayFree(const Eigen::Vector2d& from_map, const Eigen::Vector2d& to_map,
                           double radius) const {
   const Eigen::Vector2d way = to_map - from_map;
   const double length = way.norm();
   if (!IsFree(to_map, radius)) return false;
   for (double at = 0.0; at < length;) {
-    const double clearance = Clearance(from_map + at / length * way);
-    if (clearance < radius) return false;
-    at += std::max(clearance - radius, 0.25 * resolution_);
+    const Eigen::Vector2d p = from_map + at / length * way;
+    if (!IsFree(p, radius)) return false;
+    at += std::max(Clearance(p) - radius, 0.25 * resolution_);
   }
   return true;
 }

@@ -49,6 +49,25 @@ TEST(FreeSpace, NeverOverestimates) {
   }
 }
 
+TEST(FreeSpace, DiscsAreExactNearWalls) {
+  int open = 0;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    const PillarRoom room = RandomPillarRoom(seed);
+    const FreeSpace space(std::span(&room.area, 1));
+    RandomStream stream = NamedStream(seed, "test");
+    for (int i = 0; i < 2000; ++i) {
+      const Eigen::Vector2d p = DrawAround(room.room, stream);
+      const double truth = TrueClearance(room.area, p);
+      for (const double radius : {0.15, 0.35, 0.9}) {
+        if (std::abs(truth - radius) < 1e-4) continue;
+        EXPECT_EQ(space.IsFree(p, radius), truth > radius) << seed << ": " << p.transpose();
+        open += space.IsFree(p, radius) && space.Clearance(p) < radius;
+      }
+    }
+  }
+  EXPECT_GT(open, 50) << "the raster alone would do";
+}
+
 TEST(FreeSpace, LosesLittleOfAWall) {
   const std::array area{slam::Polygon2{Box(0.03, 0.04, 6.0, 5.0), {}}};
   for (const double turn : {0.0, 0.3, 0.785398}) {

@@ -1,4 +1,4 @@
-#include "planning/path/dubins.h"
+#include "planning/path/curved_way.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(Dubins, ArrivesAndTurnsNoTighter) {
       const slam::Pose2 from = DrawPose(stream, scale);
       slam::Pose2 to = DrawPose(stream, scale);
       if (i % 3 == 0) to.angle = slam::WrapAngle(from.angle + 1e-6 * (i % 5));
-      const DubinsWay way(from, to, 0.3);
+      const CurvedWay way = DubinsWay(from, to, 0.3);
       ASSERT_LT((way.At(1.0).translation - to.translation).norm(), 2e-5) << scale;
       ASSERT_LT(std::abs(slam::WrapAngle(way.At(1.0).angle - to.angle)), 1e-6) << scale;
       ASSERT_GE(way.length(), (to.translation - from.translation).norm() - 1e-9);

@@ -1,11 +1,10 @@
-#include "planning/path/dubins.h"
-
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "slam/geometry/angles.h"
+#include "planning/path/curved_way.h"
 
 namespace ariadne::planning {
 namespace {
@@ -65,31 +64,15 @@ class Words {
   Word shortest_{{}, {std::numeric_limits<double>::infinity(), 0.0, 0.0}};
 };
 
-slam::Pose2 Advanced(const slam::Pose2& from, int turn, double length) {
-  if (turn == 0) return from * slam::Pose2{0.0, {length, 0.0}};
-  const double angle = turn * length;
-  return from * slam::Pose2{slam::WrapAngle(angle), {std::sin(length), turn * (1.0 - std::cos(length))}};
-}
-
 }  // namespace
 
-DubinsWay::DubinsWay(const slam::Pose2& T_map_from, const slam::Pose2& T_map_to, double turning_radius)
-    : T_map_from_(T_map_from), radius_(turning_radius) {
+CurvedWay DubinsWay(const slam::Pose2& T_map_from, const slam::Pose2& T_map_to, double turning_radius) {
   const Eigen::Vector2d between = (T_map_to.translation - T_map_from.translation) / turning_radius;
   const double direction = between.norm() > 0.0 ? std::atan2(between.y(), between.x()) : T_map_from.angle;
   const Words words(between.norm(), T_map_from.angle - direction, T_map_to.angle - direction);
-  turns_ = words.Shortest().turns;
-  lengths_ = words.Shortest().lengths;
-}
-
-slam::Pose2 DubinsWay::At(double s) const {
-  double left = std::clamp(s, 0.0, 1.0) * length() / radius_;
-  slam::Pose2 at{T_map_from_.angle, Eigen::Vector2d::Zero()};
-  for (std::size_t i = 0; i < 3 && left > 0.0; ++i) {
-    at = Advanced(at, turns_[i], std::min(left, lengths_[i]));
-    left -= lengths_[i];
-  }
-  return {at.angle, T_map_from_.translation + radius_ * at.translation};
+  const auto& [turns, lengths] = words.Shortest();
+  return {
+      T_map_from, turning_radius, {{turns[0], lengths[0]}, {turns[1], lengths[1]}, {turns[2], lengths[2]}}};
 }
 
 }  // namespace ariadne::planning
