@@ -207,8 +207,7 @@ void FreeSpace::FillBins() {
     }
   }
   std::ranges::sort(entries);
-  const auto repeated = std::ranges::unique(entries);
-  entries.erase(repeated.begin(), repeated.end());
+  entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
   bin_begin_.assign(static_cast<std::size_t>(bin_columns_) * static_cast<std::size_t>(bin_rows_) + 1, 0);
   for (const auto& entry : entries) {
     ++bin_begin_[entry.first + 1];
