@@ -6,6 +6,8 @@
 namespace ariadne::planning {
 namespace {
 
+constexpr double kHalfWidth = 2.5e-4;  // of what stands for a point [rad]
+
 using Points = std::vector<Eigen::Vector2d>;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -62,15 +64,41 @@ void AppendOpaque(const Points& points, const slam::LineSegment& line, const Sca
   append(begin, line.Length());
 }
 
+/// A point as a line that is just wide enough to be seen: a millimetre in 2 m.
+SliceLine LineAt(const Eigen::Vector2d& p) {
+  const Eigen::Vector2d across(-p.y(), p.x());
+  return {p - kHalfWidth * across, p + kHalfWidth * across};
+}
+
+/// Whether a point is one of a line but for noise: near it, and between the bearings of its ends.
+bool BelongsTo(const slam::LineSegment& line, const Eigen::Vector2d& p, double depth) {
+  return std::abs(line.Distance(p)) < depth && Cross(line.from, p) > 0.0 && Cross(p, line.to) > 0.0;
+}
+
+/// Points that stand for themselves.
+void AppendPoints(const Points& points, const std::vector<slam::LineSegment>& segments, double depth,
+                  std::vector<SliceLine>& lines) {
+  std::vector<bool> explained(points.size(), false);
+  for (const slam::LineSegment& segment : segments) {
+    for (const std::size_t i : segment.points) explained[i] = true;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto belongs = [&](const slam::LineSegment& line) { return BelongsTo(line, points[i], depth); };
+    if (!explained[i] && std::ranges::none_of(segments, belongs)) lines.push_back(LineAt(points[i]));
+  }
+}
+
 }  // namespace
 
 std::vector<SliceLine> LinesOfScan(const slam::PosedCloud& scan, const ScanPolygonOptions& options) {
   CheckOptions(options, "polygon.");
   const Points points = PointsByBearingFrom(slam::SliceAt(scan, options.slice));
+  const std::vector<slam::LineSegment> segments = slam::DetectLines(points, options.lines);
   std::vector<SliceLine> lines;
-  for (const slam::LineSegment& line : slam::DetectLines(points, options.lines)) {
-    if (line.Length() > 0.0) AppendOpaque(points, line, options, lines);
+  for (const slam::LineSegment& segment : segments) {
+    if (segment.Length() > 0.0) AppendOpaque(points, segment, options, lines);
   }
+  if (options.keep_points) AppendPoints(points, segments, options.see_through_depth, lines);
   return lines;
 }
 

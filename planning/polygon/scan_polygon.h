@@ -18,6 +18,7 @@ struct ScanPolygonOptions {
   slam::HorizontalSliceOptions slice;
   slam::LineOptions lines = LinesForPolygons();
   double min_length = 0.0;
+  bool keep_points = true;
   double see_through_gap = 0.1;
   double see_through_depth = 0.1;
   SlicePolygonOptions polygon;
@@ -28,6 +29,8 @@ struct ScanPolygonOptions {
     visit("lines", self.lines, "how they become lines; hough without an order is the paper's (4.2)");
     visit("min_length", self.min_length, Unit("m"), Range{0.0, 100.0},
           "of a line; 0 keeps all lengths, as the paper does");
+    visit("keep_points", self.keep_points,
+          "points that no line explains are corners of the polygon: the paper's lines of length 0 (4.2)");
     visit(
         "see_through_gap", self.see_through_gap, Unit("m"), Range{0.0, 100.0},
         "between neighbouring points of a line, from where on it is cut if the scanner saw through; below "
