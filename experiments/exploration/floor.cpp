@@ -15,7 +15,7 @@ constexpr double kOffGrid = 1e-6;  // the cut passes no vertex: models have thei
 constexpr double kSamePlace = 1e-6;
 constexpr double kInLine = 1e-6;
 
-std::optional<WallFace> CutTriangle(const std::array<Eigen::Vector3d, 3>& p, double z) {
+std::optional<FloorWall> CutTriangle(const std::array<Eigen::Vector3d, 3>& p, double z) {
   std::array<Eigen::Vector2d, 3> ends;
   std::size_t count = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -25,7 +25,7 @@ std::optional<WallFace> CutTriangle(const std::array<Eigen::Vector3d, 3>& p, dou
     ends[count++] = (a + (z - a.z()) / (b.z() - a.z()) * (b - a)).head<2>();
   }
   if (count != 2 || (ends[0] - ends[1]).norm() < kSamePlace) return {};
-  return WallFace{ends[0], ends[1]};
+  return FloorWall{ends[0], ends[1]};
 }
 
 using Cell = std::pair<long, long>;
@@ -33,12 +33,12 @@ using Cell = std::pair<long, long>;
 Cell CellOf(const Eigen::Vector2d& p) { return {std::lround(p.x() / 1e-4), std::lround(p.y() / 1e-4)}; }
 
 /// The end of `face` that is not at `p`.
-Eigen::Vector2d OtherEnd(const WallFace& face, const Eigen::Vector2d& p) {
+Eigen::Vector2d OtherEnd(const FloorWall& face, const Eigen::Vector2d& p) {
   return (face.from - p).norm() < (face.to - p).norm() ? face.to : face.from;
 }
 
 /// Joins two faces of one body that meet in line, as the two triangles of a rectangle do.
-void JoinInLine(std::vector<WallFace>& faces) {
+void JoinInLine(std::vector<FloorWall>& faces) {
   std::map<Cell, std::vector<std::size_t>> at;
   std::vector<bool> gone(faces.size(), false);
   for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -76,7 +76,7 @@ Floor CutFloor(const drivers::World& world, double height) {
   for (const drivers::Body& body : world.bodies) {
     if (body.motion.moves()) continue;
     const drivers::TriangleMesh mesh = drivers::MeshAt(body, 0.0);
-    std::vector<WallFace> faces;
+    std::vector<FloorWall> faces;
     for (const auto& triangle : mesh.triangles) {
       const auto face = CutTriangle({mesh.vertices[static_cast<std::size_t>(triangle[0])],
                                      mesh.vertices[static_cast<std::size_t>(triangle[1])],

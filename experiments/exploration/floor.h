@@ -10,7 +10,7 @@
 namespace ariadne::experiments {
 
 /// A piece of a wall as seen from above, in the map frame [m].
-struct WallFace {
+struct FloorWall {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
 };
@@ -19,7 +19,7 @@ struct WallFace {
 /// costs milliseconds where 3D scans cost seconds, and what is missed is then the planner's fault alone.
 struct Floor {
   std::string name;
-  std::vector<WallFace> faces;  // those inside of walls included, where bodies overlap
+  std::vector<FloorWall> faces;  // those inside of walls included, where bodies overlap
   slam::Pose2 T_map_start;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kFarthestStart = 1.0;  // what the docstring promises [m]
 
-double DistanceTo(const WallFace& face, const Eigen::Vector2d& p) {
+double DistanceTo(const FloorWall& face, const Eigen::Vector2d& p) {
   const Eigen::Vector2d d = face.to - face.from;
   const double share = std::clamp((p - face.from).dot(d) / d.squaredNorm(), 0.0, 1.0);
   return (p - face.from - share * d).norm();
@@ -37,7 +37,7 @@ struct FreeCells {
 
 FreeCells CellsAround(const Floor& floor, const FloorCoverOptions& options) {
   Eigen::AlignedBox2d box;
-  for (const WallFace& face : floor.faces) box.extend(face.from).extend(face.to);
+  for (const FloorWall& face : floor.faces) box.extend(face.from).extend(face.to);
   FreeCells cells{box.min(), options.resolution, 0, 0, {}};
   cells.width = static_cast<int>(box.sizes().x() / cells.step) + 1;
   cells.height = static_cast<int>(box.sizes().y() / cells.step) + 1;
@@ -45,7 +45,7 @@ FreeCells CellsAround(const Floor& floor, const FloorCoverOptions& options) {
   return cells;
 }
 
-void Block(const WallFace& face, double radius, FreeCells& cells) {
+void Block(const FloorWall& face, double radius, FreeCells& cells) {
   const auto cell = [&](double v) { return static_cast<int>(std::floor(v / cells.step)); };
   const Eigen::Vector2d low = face.from.cwiseMin(face.to).array() - radius;
   const Eigen::Vector2d high = face.from.cwiseMax(face.to).array() + radius;
@@ -75,7 +75,7 @@ std::pair<int, int> StartCell(const Floor& floor, FreeCells& cells) {
 FloorCover SampleWalls(const Floor& floor, double spacing) {
   FloorCover samples{{}, spacing};
   double left_over = 0.5 * spacing;  // carried from face to face, so that each sample stands for as much
-  for (const WallFace& face : floor.faces) {
+  for (const FloorWall& face : floor.faces) {
     const double length = (face.to - face.from).norm();
     for (; left_over < length; left_over += spacing) {
       samples.places_map.push_back(face.from + left_over / length * (face.to - face.from));
@@ -89,7 +89,7 @@ FloorCover SampleWalls(const Floor& floor, double spacing) {
 
 std::vector<Eigen::Vector2d> ReachableFloor(const Floor& floor, const FloorCoverOptions& options) {
   FreeCells cells = CellsAround(floor, options);
-  for (const WallFace& face : floor.faces) Block(face, options.radius, cells);
+  for (const FloorWall& face : floor.faces) Block(face, options.radius, cells);
   std::deque<std::pair<int, int>> open{StartCell(floor, cells)};
   cells.At(open.front().first, open.front().second) = 0;
   std::vector<Eigen::Vector2d> places;

@@ -61,7 +61,7 @@ std::vector<SliceLine> LinesInView(const Floor& floor, const slam::Pose2& T_map_
   const slam::Pose2 T_scan_map = T_map_scan.Inverse();
   const double half_view = 0.5 * slam::RadFromDeg(options.field_of_view);
   std::vector<SliceLine> lines;
-  for (const WallFace& face : floor.faces) {
+  for (const FloorWall& face : floor.faces) {
     const auto line = WithinRange({T_scan_map * face.from, T_scan_map * face.to}, options.max_range);
     if (line) AppendInView(*line, half_view, lines);
   }
