@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "planning/polygon/row_crossings.h"
 
 namespace ariadne::planning {
 namespace {
@@ -92,7 +95,12 @@ void AppendPoints(const Points& points, const std::vector<slam::LineSegment>& se
 
 std::vector<SliceLine> LinesOfScan(const slam::PosedCloud& scan, const ScanPolygonOptions& options) {
   CheckOptions(options, "polygon.");
-  const Points points = PointsByBearingFrom(slam::SliceAt(scan, options.slice));
+  slam::HorizontalSlice slice = slam::SliceAt(scan, options.slice);
+  if (options.between_rows) {
+    std::ranges::copy(RowCrossings(scan, options.slice, options.row_jump),
+                      std::back_inserter(slice.points_map));
+  }
+  const Points points = PointsByBearingFrom(slice);
   const std::vector<slam::LineSegment> segments = slam::DetectLines(points, options.lines);
   std::vector<SliceLine> lines;
   for (const slam::LineSegment& segment : segments) {

@@ -16,6 +16,8 @@ inline slam::LineOptions LinesForPolygons() {
 
 struct ScanPolygonOptions {
   slam::HorizontalSliceOptions slice;
+  bool between_rows = true;
+  double row_jump = 0.1;
   slam::LineOptions lines = LinesForPolygons();
   double min_length = 0.0;
   bool keep_points = true;
@@ -26,6 +28,13 @@ struct ScanPolygonOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("slice", self.slice, "which points: those at a height");
+    visit(
+        "between_rows", self.between_rows,
+        "rows of a scan that are further apart than the slice is thick leave gaps: where two of them pass "
+        "its height, a point between them counts too");
+    visit("row_jump", self.row_jump, Unit("m"), Range{0.0, 10.0},
+          "by how much their ranges may differ on one surface; above what a pitch step of 1 deg makes of "
+          "a wall, below the depth of furniture");
     visit("lines", self.lines, "how they become lines; hough without an order is the paper's (4.2)");
     visit("min_length", self.min_length, Unit("m"), Range{0.0, 100.0},
           "of a line; 0 keeps all lengths, as the paper does");
@@ -43,8 +52,7 @@ struct ScanPolygonOptions {
 
 /// The lines of a scan at a height, as the scanner sees them: x to where it looks. A detector that takes
 /// points without an order also joins what lies in line by chance; such a line is cut between two of its
-/// points where the scanner saw something behind it. Rows of a scan that are further apart than the slice
-/// is thick leave gaps; they are not interpolated.
+/// points where the scanner saw something behind it.
 ///
 /// Error where a coordinate or the pose is NaN or infinite, or an option is out of its range.
 std::vector<SliceLine> LinesOfScan(const slam::PosedCloud& scan, const ScanPolygonOptions& options = {});
