@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/bounds/swap_search.h"
+
 namespace ariadne::experiments {
 namespace {
 
@@ -69,6 +71,25 @@ std::vector<int> ChosenBy(const double* solution, std::size_t sets) {
   return chosen;
 }
 
+/// What no solution falls below, whatever the prices of the rows are (Lagrange), and whether or not the
+/// simplex algorithm came to its end: the rows' lower sides at their prices, and each column at the better
+/// of its bounds.
+double BoundByPrices(const OsiClpSolverInterface& program) {
+  const int rows = program.getNumRows();
+  const int columns = program.getNumCols();
+  std::vector<double> prices(program.getRowPrice(), program.getRowPrice() + rows);
+  for (double& price : prices) price = std::max(0.0, price);
+  std::vector<double> paid(static_cast<std::size_t>(columns), 0.0);
+  program.getMatrixByCol()->transposeTimes(prices.data(), paid.data());
+  double bound = 0.0;
+  for (int i = 0; i < rows; ++i) bound += prices[static_cast<std::size_t>(i)] * program.getRowLower()[i];
+  for (int j = 0; j < columns; ++j) {
+    const double cost = program.getObjCoefficients()[j] - paid[static_cast<std::size_t>(j)];
+    bound += cost * (cost < 0.0 ? program.getColUpper()[j] : program.getColLower()[j]);
+  }
+  return bound;
+}
+
 void Search(CbcModel& model, const std::vector<double>& start, double size, const CoverOptions& options) {
   model.setLogLevel(0);
   model.solver()->setHintParam(OsiDoReducePrint, true, OsiHintTry);
@@ -85,6 +106,7 @@ void Search(CbcModel& model, const std::vector<double>& start, double size, cons
   model.setBestSolution(start.data(), static_cast<int>(start.size()), size);
   model.setCutoffIncrement(0.999);  // sizes are whole numbers
   model.setMaximumNodes(options.max_nodes);
+  model.setMaximumNumberIterations(options.max_iterations);
   model.setMaximumSeconds(options.max_seconds);
   model.setMaximumCutPassesAtRoot(10);
   model.setMaximumCutPasses(1);
@@ -92,24 +114,32 @@ void Search(CbcModel& model, const std::vector<double>& start, double size, cons
   model.branchAndBound();
 }
 
+/// Bounds by the simplex algorithm are rounded.
+int RoundedUp(double bound) { return std::max(1, static_cast<int>(std::ceil(bound - 1e-5))); }
+
 }  // namespace
 
 CoverProgramResult SolveCoverProgram(const ReducedCover& problem, const std::vector<int>& start,
                                      const CoverOptions& options) {
   OsiClpSolverInterface program = CoverProgram(problem);
   program.getModelPtr()->setMaximumSeconds(options.max_seconds);
+  program.setHintParam(OsiDoDualInInitial, false);  // three times faster than the dual one
   program.initialSolve();
-  CoverProgramResult result{start, 1.0, 1.0};
-  if (!program.isProvenOptimal()) return result;
-  const auto size = static_cast<double>(start.size());
-  result.relaxation = result.bound = std::max(1.0, program.getObjValue());
-  if (options.max_nodes == 0 || result.bound > size - 1.0 + 1e-6) return result;
+  CoverProgramResult result;
+  result.relaxation = BoundByPrices(program);
+  result.bound = RoundedUp(result.relaxation);
+  result.chosen = SwapSearch(problem, start, result.bound, options.swaps);
+  const auto size = static_cast<int>(result.chosen.size());
+  if (options.max_nodes == 0 || result.bound >= size || !program.isProvenOptimal()) return result;
   CbcModel model(program);
-  Search(model, SolutionOf(problem, start), size, options);
-  result.bound = std::max(result.bound, model.getBestPossibleObjValue());
+  Search(model, SolutionOf(problem, result.chosen), size, options);
+  // Where time ended the search, CBC's bound may be the incumbent's size, proven or not.
+  if (model.getCurrentSeconds() < options.max_seconds && !model.isSecondsLimitReached()) {
+    result.bound = std::max(result.bound, RoundedUp(model.getBestPossibleObjValue()));
+  }
   if (model.bestSolution() == nullptr) return result;
   const std::vector<int> found = ChosenBy(model.bestSolution(), problem.sets.size());
-  if (found.size() < start.size()) result.chosen = found;
+  if (found.size() < result.chosen.size()) result.chosen = found;
   return result;
 }
 

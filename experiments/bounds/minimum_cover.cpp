@@ -10,8 +10,6 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kBoundRounding = 1e-5;  // of bounds by the simplex algorithm
-
 double WeightOf(const CoverProblem& problem, const std::vector<std::size_t>& chosen) {
   std::vector<bool> covered(problem.weights.size(), false);
   for (const std::size_t set : chosen) {
@@ -34,17 +32,16 @@ CoverResult MinimumCover(const CoverProblem& problem, const CoverOptions& option
   CheckOptions(options, "cover.");
   const ReducedCover reduced = ReduceCover(problem, options.share);
   const std::vector<int> greedy = GreedyCover(reduced);
-  const std::vector<int> start = ImprovedCover(reduced, greedy);
-  const CoverProgramResult best = SolveCoverProgram(reduced, start, options);
+  const CoverProgramResult best = SolveCoverProgram(reduced, greedy, options);
   const bool valid = CoveredWeight(reduced, best.chosen) >= reduced.required;
   CoverResult result;
-  for (const int set : valid ? best.chosen : start) {
+  for (const int set : valid ? best.chosen : greedy) {
     result.chosen.push_back(reduced.original[static_cast<std::size_t>(set)]);
   }
   std::sort(result.chosen.begin(), result.chosen.end());
   const int size = static_cast<int>(result.chosen.size());
   result.relaxation = best.relaxation;
-  result.lower_bound = std::min(size, static_cast<int>(std::ceil(best.bound - kBoundRounding)));
+  result.lower_bound = std::min(size, best.bound);
   result.proven = result.lower_bound == size;
   result.greedy_size = static_cast<int>(greedy.size());
   result.covered = WeightOf(problem, result.chosen);
