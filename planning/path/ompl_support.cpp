@@ -64,11 +64,18 @@ class DiscMotions : public ob::MotionValidator {
   bool checkMotion(const ob::State* from, const ob::State* to) const override {
     return space_.IsWayFree(PlaceOf(from), PlaceOf(to), radius_);
   }
+  /// The obstacle-based sampler takes the last place that is free.
   bool checkMotion(const ob::State* from, const ob::State* to,
-                   std::pair<ob::State*, double>& last) const override {
-    if (last.first != nullptr) si_->copyState(last.first, from);
-    last.second = 0.0;  // all or nothing: no planner that is used here asks
-    return checkMotion(from, to);
+                   std::pair<ob::State*, double>& last_valid) const override {
+    if (checkMotion(from, to)) return true;
+    const Eigen::Vector2d start = PlaceOf(from), way = PlaceOf(to) - start;
+    const double step = 0.25 * space_.resolution(), length = way.norm();
+    double at = 0.0;
+    while (at + step < length && space_.IsFree(start + (at + step) / length * way, radius_)) at += step;
+    last_valid.second = length > 0.0 ? at / length : 0.0;
+    const ob::StateSpace& plane = *si_->getStateSpace();
+    if (last_valid.first != nullptr) plane.interpolate(from, to, last_valid.second, last_valid.first);
+    return false;
   }
 
  private:
@@ -77,6 +84,11 @@ class DiscMotions : public ob::MotionValidator {
 };
 
 }  // namespace
+
+void RequireRadius(double radius) {
+  if (radius >= 0.0 && std::isfinite(radius)) return;
+  Fail("the robot's radius is {} m, but must be finite and not negative", radius);
+}
 
 std::uint_fast32_t OmplSeed(std::uint64_t seed, std::string_view name) {
   RandomStream stream = NamedStream(seed, name);

@@ -33,6 +33,9 @@ class OmplSilence {
   ompl::msg::OutputHandler* before_;
 };
 
+/// Error for a disc's radius that is negative or not finite.
+void RequireRadius(double radius);
+
 /// A seed for one of OMPL's generators, which have 32 bits; of a named stream.
 std::uint_fast32_t OmplSeed(std::uint64_t seed, std::string_view name);
 
