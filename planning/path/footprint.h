@@ -42,6 +42,11 @@ class Footprint {
   /// Of the rectangle, counterclockwise, without the margin.
   std::vector<Eigen::Vector2d> CornersAt(const slam::Pose2& T_map_robot) const;
 
+  /// Of the rectangle [m].
+  Eigen::Vector2d CentreAt(const slam::Pose2& T_map_robot) const {
+    return T_map_robot * Eigen::Vector2d(options_.centre_ahead, 0.0);
+  }
+
   /// From the robot's frame to the farthest corner: what turning moves [m].
   double reach() const { return reach_; }
 

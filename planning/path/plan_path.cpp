@@ -7,12 +7,13 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
-#include <optional>
 
 #include "planning/path/geodesic.h"
 #include "planning/path/motion_model.h"
 #include "planning/path/ompl_support.h"
+#include "planning/path/path_guides.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::planning {
@@ -21,92 +22,17 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-constexpr double kSamePlace = 1e-3;                                        // [m]
-constexpr double kSameAngle = 0.1 * std::numbers::pi / 180.0;              // [rad]
-constexpr double kGuideStep = 0.25, kGuideShift = 0.05;                    // [m]
-constexpr double kGuideSpread = 0.3;                                       // [m]
-constexpr double kGuideTurn = 20.0 * std::numbers::pi / 180.0;             // [rad]
-constexpr int kGuideHeadings = 30;                                         // to each side
-constexpr double kGuideHeading = 0.5 * std::numbers::pi / kGuideHeadings;  // [rad]
-
-/// What is near a way comes from here, and the places that a disc within the robot can reach.
-struct Samples {
-  std::vector<slam::Pose2> guides;
-  std::vector<Eigen::Vector2d> cells;  // centres [m]
-  double cell;                         // their size [m]
-};
-
-/// Across the way to where most room is, if there is little: the shortest way of a disc touches the corners
-/// of a door, and the robot needs its middle.
-Eigen::Vector2d Centred(const FreeSpace& space, const Eigen::Vector2d& p_map, const Eigen::Vector2d& side,
-                        double enough) {
-  Eigen::Vector2d best = p_map;
-  double most = std::min(enough, space.Clearance(p_map));
-  for (double away = kGuideShift; away < enough; away += kGuideShift) {
-    for (const double sign : {-1.0, 1.0}) {
-      const Eigen::Vector2d p = p_map + sign * away * side;
-      const double clearance = std::min(enough, space.Clearance(p));
-      if (clearance > most + 1e-9) most = clearance, best = p;
-    }
-  }
-  return best;
-}
-
-/// The middle of the headings, within a right angle of the way's, in which the robot fits there.
-std::optional<double> FittingHeading(const FreeSpace& space, const Footprint& footprint,
-                                     const slam::Pose2& T_map_way) {
-  const auto fits = [&](int i) {
-    return std::abs(i) <= kGuideHeadings &&
-           footprint.IsFree(space, {T_map_way.angle + i * kGuideHeading, T_map_way.translation});
-  };
-  if (fits(0) && fits(-2) && fits(2)) return T_map_way.angle;
-  for (int i = 0; i <= kGuideHeadings; ++i) {
-    for (const int sign : {-1, 1}) {
-      if (!fits(sign * i)) continue;
-      int low = sign * i, high = low;
-      while (fits(low - 1)) --low;
-      while (fits(high + 1)) ++high;
-      return T_map_way.angle + 0.5 * (low + high) * kGuideHeading;
-    }
-  }
-  return std::nullopt;
-}
-
-std::vector<slam::Pose2> GuidesAlong(const FreeSpace& space, const Footprint& footprint,
-                                     const std::vector<Eigen::Vector2d>& way) {
-  std::vector<slam::Pose2> guides;
-  const double enough = footprint.reach() + footprint.options().margin;
-  for (std::size_t i = 1; i < way.size(); ++i) {
-    const Eigen::Vector2d along = way[i] - way[i - 1];
-    const int count = std::max(1, static_cast<int>(std::ceil(along.norm() / kGuideStep)));
-    const Eigen::Vector2d side = Eigen::Vector2d(-along.y(), along.x()).normalized();
-    for (int k = 0; k < count; ++k) {
-      const Eigen::Vector2d p = Centred(space, way[i - 1] + along * (k + 0.5) / count, side, enough);
-      const slam::Pose2 guide{std::atan2(along.y(), along.x()), p};
-      if (const auto heading = FittingHeading(space, footprint, guide)) guides.push_back({*heading, p});
-    }
-  }
-  return guides;
-}
-
-Samples FindSamples(const FreeSpace& space, const Footprint& footprint, const GeodesicField& reachable,
-                    const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal) {
-  Samples samples{{}, {}, space.resolution()};
-  for (int row = 0; row < space.rows(); ++row) {
-    for (int column = 0; column < space.columns(); ++column) {
-      if (reachable.IsReachable({column, row})) samples.cells.push_back(space.CentreOf({column, row}));
-    }
-  }
-  const GeodesicField field = DistancesFrom(space, T_map_start.translation, footprint.least_radius());
-  std::vector<Eigen::Vector2d> way = field.PathTo(T_map_goal.translation);
-  if (way.empty()) way = reachable.PathTo(T_map_goal.translation);
-  samples.guides = GuidesAlong(space, footprint, way);
-  return samples;
-}
+constexpr double kSamePlace = 1e-3;                             // [m]
+constexpr double kSameAngle = 0.1 * std::numbers::pi / 180.0;   // [rad]
+constexpr double kGuideSpread = 0.3;                            // [m]
+constexpr double kGuideTurn = 20.0 * std::numbers::pi / 180.0;  // [rad]
+constexpr int kLegIterations = 300;
+constexpr double kAroundLeg = 3.0, kInSight = 20.0;  // [m]
 
 class PoseSampler : public ob::StateSampler {
  public:
-  PoseSampler(const ob::StateSpace* space, RandomStream stream, const Samples& samples, double guided)
+  PoseSampler(const ob::StateSpace* space, RandomStream stream, const internal::PathSamples& samples,
+              double guided)
       : ob::StateSampler(space),
         stream_(stream),
         samples_(samples),
@@ -152,7 +78,7 @@ class PoseSampler : public ob::StateSampler {
   }
 
   RandomStream stream_;
-  const Samples& samples_;
+  const internal::PathSamples& samples_;
   double guided_;
 };
 
@@ -184,13 +110,24 @@ class PathPlanner {
     if (!footprint_.IsFree(space_, T_map_start)) return result.status = PathStatus::kStartNotFree, result;
     if (!footprint_.IsFree(space_, T_map_goal)) return result.status = PathStatus::kGoalNotFree, result;
     if (IsSame(T_map_start, T_map_goal)) return Dense({T_map_start, T_map_goal}, result);
+    const Eigen::Vector2d start_map = footprint_.CentreAt(T_map_start);
     // Every place on a way of the robot is within 1.5 cells of a cell that is free for this radius.
     const double radius = std::max(0.0, footprint_.least_radius() - 1.5 * space_.resolution());
-    const GeodesicField reachable = DistancesFrom(space_, T_map_start.translation, radius);
-    if (std::isinf(reachable.To(T_map_goal.translation)))
+    const GeodesicField reachable = DistancesFrom(space_, start_map, radius);
+    if (std::isinf(reachable.To(footprint_.CentreAt(T_map_goal)))) {
       return result.status = PathStatus::kUnreachable, result;
-    samples_ = FindSamples(space_, footprint_, reachable, T_map_start, T_map_goal);
-    return Grow(T_map_start, T_map_goal, result);
+    }
+    const std::vector<slam::Pose2> guides =
+        internal::FindGuides(space_, footprint_, reachable, T_map_start, T_map_goal);
+    std::vector<slam::Pose2> corners =
+        GrowLegs(reachable, T_map_start, T_map_goal, guides, result.iterations);
+    if (corners.empty()) {
+      samples_ = internal::SamplesOf(space_, reachable, guides, std::numeric_limits<double>::infinity());
+      corners =
+          Grow(T_map_start, T_map_goal, options_.max_iterations - result.iterations, result.iterations);
+    }
+    if (corners.empty()) return result;
+    return Dense(Simplified(corners), result);
   }
 
  private:
@@ -215,7 +152,32 @@ class PathPlanner {
     return info;
   }
 
-  PathResult Grow(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal, PathResult& result) {
+  /// From guide to guide, one every few metres: two trees find each other in a room, hardly through ten.
+  std::vector<slam::Pose2> GrowLegs(const GeodesicField& reachable, const slam::Pose2& T_map_start,
+                                    const slam::Pose2& T_map_goal, const std::vector<slam::Pose2>& guides,
+                                    int& iterations) {
+    std::vector<slam::Pose2> corners{T_map_start};
+    const std::vector<std::size_t> stops = internal::StopsAmong(space_, guides);
+    for (std::size_t i = 0; i <= stops.size(); ++i) {
+      const std::size_t begin = i == 0 ? 0 : stops[i - 1],
+                        end = i == stops.size() ? guides.size() : stops[i] + 1;
+      const std::vector<slam::Pose2> near(guides.begin() + static_cast<std::ptrdiff_t>(begin),
+                                          guides.begin() + static_cast<std::ptrdiff_t>(end));
+      samples_ = internal::SamplesOf(space_, reachable, near, kAroundLeg);
+      const int most = std::min(kLegIterations, options_.max_iterations / 2 - iterations);
+      const auto leg =
+          Grow(corners.back(), i == stops.size() ? T_map_goal : guides[stops[i]], most, iterations);
+      if (leg.empty()) return {};
+      corners.insert(corners.end(), leg.begin() + 1, leg.end());
+    }
+    return corners;
+  }
+
+  /// The corners of a path; empty where none is found.
+  std::vector<slam::Pose2> Grow(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal, int most,
+                                int& iterations) {
+    if (IsSame(T_map_start, T_map_goal)) return {T_map_start, T_map_goal};
+    if (most <= 0) return {};
     const ob::SpaceInformationPtr info = MakeInformation();
     ob::ScopedState<ob::SE2StateSpace> start(model_.state_space()), goal(model_.state_space());
     internal::SetState(T_map_start, start.get());
@@ -226,28 +188,42 @@ class PathPlanner {
     planner.setRange(options_.range);
     planner.setProblemDefinition(problem);
     planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();  // other structures draw numbers
-    const int most = options_.max_iterations;
-    int* iterations = &result.iterations;
-    planner.solve(ob::PlannerTerminationCondition([most, iterations] { return (*iterations)++ >= most; }));
-    result.iterations = std::min(result.iterations, most);
-    if (!problem->hasExactSolution()) return result;
-    og::PathGeometric path(static_cast<const og::PathGeometric&>(*problem->getSolutionPath()));
-    Simplify(info, path);
+    int asked = 0;
+    planner.solve(ob::PlannerTerminationCondition([most, &asked] { return asked++ >= most; }));
+    iterations += std::min(asked, most);
+    if (!problem->hasExactSolution()) return {};
     std::vector<slam::Pose2> corners;
-    for (const ob::State* state : path.getStates()) corners.push_back(internal::PoseOf(state));
+    const auto& path = static_cast<const og::PathGeometric&>(*problem->getSolutionPath());
+    for (std::size_t i = 0; i < path.getStateCount(); ++i) {
+      corners.push_back(internal::PoseOf(path.getState(static_cast<unsigned>(i))));
+    }
     corners.front() = T_map_start;
     corners.back() = T_map_goal;
-    return Dense(corners, result);
+    return corners;
   }
 
-  void Simplify(const ob::SpaceInformationPtr& info, og::PathGeometric& path) const {
-    const auto attempts = static_cast<unsigned>(options_.simplifications);
-    if (attempts == 0) return;  // which OMPL takes for its default
+  std::vector<slam::Pose2> Simplified(const std::vector<slam::Pose2>& corners) {
+    const ob::SpaceInformationPtr info = MakeInformation();
+    og::PathGeometric path(info);
+    ob::ScopedState<ob::SE2StateSpace> state(model_.state_space());
+    for (const slam::Pose2& corner : corners) {
+      internal::SetState(corner, state.get());
+      path.append(state.get());
+    }
+    // Long paths take more, and leave out no more than what lies in one another's sight.
+    const double share = std::min(1.0, kInSight / path.length());
+    const auto attempts = static_cast<unsigned>(std::lround(options_.simplifications / share));
+    if (attempts == 0) return corners;  // which OMPL takes for its default
     SeededSimplifier simplifier(info, seed_);
-    simplifier.reduceVertices(path, attempts, attempts, 1.0);
+    simplifier.reduceVertices(path, attempts, attempts, share);
     // Places between the corners too; a part of a shortest way forward need not be one in OMPL's eyes.
-    if (options_.model != PathModel::kDubins) simplifier.shortcutPath(path, attempts, attempts, 1.0);
+    if (options_.model != PathModel::kDubins) simplifier.shortcutPath(path, attempts, attempts, share);
     simplifier.collapseCloseVertices(path, attempts, attempts);
+    std::vector<slam::Pose2> simplified;
+    for (const ob::State* kept : path.getStates()) simplified.push_back(internal::PoseOf(kept));
+    simplified.front() = corners.front();
+    simplified.back() = corners.back();
+    return simplified;
   }
 
   PathResult Dense(const std::vector<slam::Pose2>& corners, PathResult& result) const {
@@ -271,7 +247,7 @@ class PathPlanner {
   std::uint64_t seed_;
   Footprint footprint_;
   internal::MotionModel model_;
-  Samples samples_{};
+  internal::PathSamples samples_{};
 };
 
 void RequirePose(const slam::Pose2& pose, std::string_view name) {

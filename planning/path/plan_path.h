@@ -57,7 +57,8 @@ struct PathResult {
   int iterations = 0;   // of RRT-Connect
 };
 
-/// A path for the robot's rectangle by RRT-Connect (Kuffner, LaValle 2000; OMPL), simplified. Start and
+/// A path for the robot's rectangle by RRT-Connect (Kuffner, LaValle 2000; OMPL), simplified: in legs of a
+/// few metres along the shortest way of a disc, or where a leg fails, from the start to the goal. Start and
 /// goal within 1 mm and 0.1 deg are joined without a plan. Motions are looked at every 2 cm, or every
 /// margin where that is more, of what any corner moves; so the rectangle stays clear by half its margin.
 /// The same arguments give the same bytes, whatever ran before.
