@@ -36,7 +36,7 @@ class Approach {
     T_goal_robot_ = T_goal_robot_ * Pose2::Exp({way, 0.0, turn});
     result_.length += std::abs(way);
     result_.turned += std::abs(turn);
-    result_.duration += options_.period;
+    result_.duration = ++periods_ * options_.period;
     before_ = command;
   }
 
@@ -70,6 +70,7 @@ class Approach {
   Pose2 T_goal_robot_;
   double max_distance_ = 0.0;  // [m]
   bool turning_ = false;
+  int periods_ = 0;
   DriveCommand before_;
   ApproachCostResult result_;
 };
