@@ -158,17 +158,19 @@ class PathPlanner {
                                     int& iterations) {
     std::vector<slam::Pose2> corners{T_map_start};
     const std::vector<std::size_t> stops = internal::StopsAmong(space_, guides);
+    std::size_t begin = 0;
     for (std::size_t i = 0; i <= stops.size(); ++i) {
-      const std::size_t begin = i == 0 ? 0 : stops[i - 1],
-                        end = i == stops.size() ? guides.size() : stops[i] + 1;
+      const bool is_last = i == stops.size();
+      const std::size_t end = is_last ? guides.size() : stops[i] + 1;
       const std::vector<slam::Pose2> near(guides.begin() + static_cast<std::ptrdiff_t>(begin),
                                           guides.begin() + static_cast<std::ptrdiff_t>(end));
       samples_ = internal::SamplesOf(space_, reachable, near, kAroundLeg);
       const int most = std::min(kLegIterations, options_.max_iterations / 2 - iterations);
-      const auto leg =
-          Grow(corners.back(), i == stops.size() ? T_map_goal : guides[stops[i]], most, iterations);
-      if (leg.empty()) return {};
+      const auto leg = Grow(corners.back(), is_last ? T_map_goal : guides[stops[i]], most, iterations);
+      if (leg.empty() && is_last) return {};
+      if (leg.empty()) continue;  // the next stop may be easier to get to
       corners.insert(corners.end(), leg.begin() + 1, leg.end());
+      if (!is_last) begin = stops[i];
     }
     return corners;
   }
