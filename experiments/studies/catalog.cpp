@@ -12,6 +12,7 @@
 #include "experiments/studies/fig_03.h"
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
+#include "experiments/studies/fig_09.h"
 #include "experiments/studies/fig_11.h"
 #include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
@@ -91,6 +92,8 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<Fig04Options>("fig_04", "scans of a corridor by each way of matching", RunFig04),
       MakeStudy<Fig05Options>(
           "fig_05", "the edge points and reduced points of a scan beside all of its points", RunFig05),
+      MakeStudy<Fig09Options>("fig_09", "paths of the controller to one pose from many", CheckFig09,
+                              RunFig09),
       MakeStudy<Fig11Options>("fig_11", "the octree of a scan at several depths", RunFig11),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",

@@ -1,0 +1,143 @@
+#include "experiments/studies/ablation_nbv.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "experiments/run/data_path.h"
+#include "experiments/run/manifest.h"
+#include "experiments/run/run_page.h"
+#include "experiments/studies/nbv_tables.h"
+#include "experiments/studies/nbv_variants.h"
+#include "slam/base/error.h"
+
+namespace ariadne::experiments {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "a, b, ..." without the spaces.
+std::vector<std::string> Names(const std::string& text, const std::string& where) {
+  std::vector<std::string> names{""};
+  for (const char c : text) {
+    if (c == ',') names.emplace_back();
+    if (c != ',' && c != ' ') names.back() += c;
+  }
+  if (std::ranges::count(names, "") > 0)
+    Fail("{} is '{}', where names are to stand: a, b, ...", where, text);
+  return names;
+}
+
+std::vector<std::string> PlansOfData() {
+  const fs::path folder = ExpandDataPath("$ARIADNE_DATA/plans");
+  std::vector<std::string> plans;
+  if (fs::is_directory(folder)) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() == ".json") plans.push_back(entry.path().string());
+    }
+  }
+  if (plans.empty())
+    Fail("{} has no floor plans; set ARIADNE_DATA, or name worlds as floors", folder.string());
+  std::ranges::sort(plans);
+  return plans;
+}
+
+std::vector<std::string> WorldsOf(const AblationNbvOptions& options) {
+  std::vector<std::string> worlds;
+  for (const std::string& name : Names(options.floors, "floors")) {
+    const std::vector<std::string> some = name == "plans" ? PlansOfData() : std::vector{name};
+    worlds.insert(worlds.end(), some.begin(), some.end());
+  }
+  return worlds;
+}
+
+std::vector<NbvVariant> VariantsOf(const AblationNbvOptions& options) {
+  const std::vector<std::string> studies = Names(options.studies, "studies");
+  if (studies.front() != "policies") Fail("studies must begin with policies: they hold the default");
+  std::vector<NbvVariant> variants;
+  for (const std::string& study : studies) {
+    for (NbvVariant& variant : NbvVariants(study, options.explore)) variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+/// All variants from all starts on one floor.
+std::vector<NbvTrial> TryFloor(const NbvFloor& floor, const std::vector<NbvVariant>& variants,
+                               const AblationNbvOptions& options, const Parallel& parallel) {
+  const auto seeds = static_cast<std::size_t>(options.seeds);
+  std::vector<NbvTrial> trials(variants.size() * seeds);
+  parallel.For(trials.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    trials[i] = TryNbv(floor, variants[i / seeds], options.share, i % seeds + 1);
+  });
+  return trials;
+}
+
+Json TimesOf(const Table& times) {
+  Json json = Json::array();
+  for (const auto& row : times.rows) {
+    Json entry;
+    for (std::size_t c = 0; c < row.size(); ++c) entry[times.columns[c]] = row[c];
+    json.push_back(entry);
+  }
+  return json;
+}
+
+std::string Report(const AblationNbvOptions& options, const std::vector<NbvTrial>& trials,
+                   const std::vector<NbvFloorSummary>& floors, const RunDirectory& run) {
+  std::string text;
+  const auto keep = [&](const std::string& name, const Table& table) {
+    run.WriteCsv(name + ".csv", table);
+    run.WriteText(name + ".tex", ToLatex(table));
+    text += ToText(table) + "\n";
+  };
+  keep("floors", NbvFloorTable(trials, floors));
+  for (const std::string& study : Names(options.studies, "studies")) {
+    keep(study, NbvStudyTable(trials, study, options.bootstrap));
+  }
+  run.WriteCsv("curves.csv", NbvCurveTable(trials));
+  const Table times = NbvTimeTable(trials);
+  run.WriteJson("timing.json", TimesOf(times));
+  return text + ToText(times);
+}
+
+}  // namespace
+
+void CheckAblationNbv(const AblationNbvOptions& options) {
+  VariantsOf(options);
+  WorldsOf(options);
+}
+
+std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory& run,
+                           ProgressDisplay& progress) {
+  const std::vector<std::string> worlds = WorldsOf(options);
+  const std::vector<NbvVariant> variants = VariantsOf(options);
+  const Parallel parallel(options.threads);
+  NbvFloorOptions floor_options = options.floor;
+  floor_options.bound.cover.share = options.share;
+  WriteManifest(run, {});
+  std::vector<NbvTrial> trials;
+  std::vector<NbvFloorSummary> floors;
+  for (std::size_t i = 0; i < worlds.size(); ++i) {
+    run.WriteProgress("running", i, worlds.size());
+    const double done = static_cast<double>(i) / static_cast<double>(worlds.size());
+    progress.Show(fmt::format("floor {} of {}: {}, {}", i + 1, worlds.size(),
+                              fs::path(worlds[i]).stem().string(), progress.Eta(done)));
+    const NbvFloor floor = PrepareFloor(worlds[i], floor_options, options.explore.scanner, true, parallel);
+    floors.push_back({floor.floor.name,
+                      static_cast<double>(floor.reachable.size()) * options.floor.cover.resolution *
+                          options.floor.cover.resolution,
+                      static_cast<double>(floor.cover.places_map.size()) * floor.cover.length_each,
+                      floor.bound.views.size(), floor.bound.lower_bound});
+    for (NbvTrial& trial : TryFloor(floor, variants, options, parallel)) trials.push_back(std::move(trial));
+    run.WriteCsv("trials.csv", NbvTrialTable(trials));
+    progress.Keep(fmt::format("{}: {} explorations, at least {} views", floor.floor.name,
+                              variants.size() * static_cast<std::size_t>(options.seeds),
+                              floor.bound.lower_bound));
+  }
+  const std::string text = Report(options, trials, floors, run);
+  FinishRun(run, "Next best views: policies and parameters", worlds.size());
+  return text;
+}
+
+}  // namespace ariadne::experiments

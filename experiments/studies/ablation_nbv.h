@@ -1,0 +1,44 @@
+#pragma once
+
+#include "experiments/metrics/bootstrap.h"
+#include "experiments/run/progress_display.h"
+#include "experiments/run/run_directory.h"
+#include "experiments/studies/nbv_trials.h"
+
+namespace ariadne::experiments {
+
+/// The experiment `ablation_nbv`: policies and parameters of the view planner on floors that are known
+/// exactly, with exact visibility in the plane, against the fewest views that would do.
+struct AblationNbvOptions {
+  std::string floors = "plans, builtin:robobench, builtin:entrance_hall";
+  std::string studies = "policies, gain, candidates, c1, c2, field_of_view, min_overlap";
+  int seeds = 10;
+  double share = 0.95;
+  ExploreOptions explore;
+  NbvFloorOptions floor;
+  BootstrapOptions bootstrap;
+  int threads = 1;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("floors", self.floors,
+          "a, b, ...: worlds as simulate takes them; plans: all in $ARIADNE_DATA/plans");
+    visit("studies", self.studies, "a, b, ...: what is varied, one after another; policies comes first");
+    visit("seeds", self.seeds, Unit(""), Range{1, 10000}, "starts on each floor");
+    visit("share", self.share, Unit("share"), Range{0.01, 1.0},
+          "of what can be seen, to which scans and ways are counted; of the bound too");
+    visit("explore", self.explore, "the planner where it is not varied: `default` in the tables");
+    visit("floor", self.floor, "what is to be seen, and the bound");
+    visit("bootstrap", self.bootstrap, "the confidence intervals, over floors");
+    visit("threads", self.threads, Unit(""), Range{1, 1024}, "the result does not depend on it");
+  }
+};
+
+/// Error for a floor, a study or a list that there is not.
+void CheckAblationNbv(const AblationNbvOptions& options);
+
+/// Returns what to print. Trials are written floor by floor.
+std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory& run,
+                           ProgressDisplay& progress);
+
+}  // namespace ariadne::experiments
