@@ -50,6 +50,7 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddSimulateCommand(app);
   ariadne::experiments::AddExtractCommand(app);
   ariadne::experiments::AddMapCommand(app);
+  ariadne::experiments::AddPlanCommand(app);
   ariadne::experiments::AddExportCommand(app);
   ariadne::experiments::AddViewCommand(app);
   try {

@@ -16,6 +16,7 @@ void AddSimulateCommand(CLI::App& app);
 void AddViewCommand(CLI::App& app);
 void AddExtractCommand(CLI::App& app);
 void AddMapCommand(CLI::App& app);
+void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
 
 }  // namespace ariadne::experiments

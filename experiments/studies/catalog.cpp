@@ -13,9 +13,12 @@
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
 #include "experiments/studies/fig_09.h"
+#include "experiments/studies/fig_06.h"
+#include "experiments/studies/fig_07.h"
 #include "experiments/studies/fig_11.h"
 #include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
+#include "experiments/studies/plan.h"
 #include "experiments/studies/posegraph_benchmark.h"
 #include "experiments/studies/register.h"
 #include "experiments/studies/simulate.h"
@@ -82,6 +85,8 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<ExtractOptions>("extract", "lines, surfaces and objects of each scan", RunExtract),
       MakeStudy<MapStudyOptions>("map", "the scans of a run into a model of the building", CheckMapInput,
                                  RunMap),
+      MakeStudy<PlanStudyOptions>("plan", "where to scan next, from the scans of a run", CheckPlanInput,
+                                  RunPlan),
       MakeStudy<SimulateOptions>("simulate", "a data set with its truth, from a simulated robot",
                                  RunSimulate),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
@@ -94,6 +99,8 @@ const std::vector<Study>& AllStudies() {
           "fig_05", "the edge points and reduced points of a scan beside all of its points", RunFig05),
       MakeStudy<Fig09Options>("fig_09", "paths of the controller to one pose from many", CheckFig09,
                               RunFig09),
+      MakeStudy<Fig06Options>("fig_06", "one step of planning, from points to the next view", RunFig06),
+      MakeStudy<Fig07Options>("fig_07", "two labelled polygons and their union", RunFig07),
       MakeStudy<Fig11Options>("fig_11", "the octree of a scan at several depths", RunFig11),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
