@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "planning/polygon/labelled_union.h"
+#include "planning/polygon/scan_polygon.h"
+
+namespace ariadne::experiments {
+
+struct ScanLoopAreaOptions {
+  planning::ScanPolygonOptions polygon;
+  planning::LabelledUnionOptions united;
+  double max_gap = 10.0;
+  double stand_radius = 0.4;
+  double obstacle_radius = 0.1;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("polygon", self.polygon, "what a scan shows to be free");
+    visit("united", self.united, "how the scans' polygons are united");
+    visit("max_gap", self.max_gap, Unit("deg"), Range{0.1, 360.0},
+          "between bearings at which a scan shows something at the height, to be joined by one edge. Where "
+          "a thing lower than the slice hides the wall behind it, that edge may cut through walls, and a "
+          "union never takes back what was free; so nothing is free in wider gaps. 360: the paper's (4.2)");
+    visit("stand_radius", self.stand_radius, Unit("m"), Range{0.05, 5.0},
+          "free around the robot's middle and its scanner where it has stood, but not beyond walls that it "
+          "has seen: the radius that ways keep, and a cell");
+    visit("obstacle_radius", self.obstacle_radius, Unit("m"), Range{0.02, 1.0},
+          "taken away around a place where the robot met something that no slice shows");
+  }
+};
+
+/// What is known to be free at some heights after some scans, made anew from the scans' latest poses.
+class ScanLoopArea {
+ public:
+  /// Heights above the floor [m].
+  ScanLoopArea(const ScanLoopAreaOptions& options, std::vector<double> heights,
+               const slam::Pose3& T_base_laser);
+
+  /// Finds the scan's lines; its pose says which points are at the heights.
+  void AddScan(const slam::PosedCloud& scan);
+
+  /// Something stands there that the robot cannot pass, whatever the slices show.
+  void AddObstacle(const Eigen::Vector2d& p_map) { obstacles_map_.push_back(p_map); }
+
+  std::size_t height_count() const { return heights_.size(); }
+
+  /// One area per height, for one pose per scan.
+  std::vector<planning::LabelledPolygon> At(std::size_t height,
+                                            std::span<const slam::Pose3> T_map_laser) const;
+
+ private:
+  planning::LabelledPolygon Stand(const slam::Pose3& T_map_laser,
+                                  std::span<const planning::LabelledPolygon> scans) const;
+
+  ScanLoopAreaOptions options_;
+  std::vector<double> heights_;
+  slam::Pose3 T_base_laser_;
+  std::vector<std::vector<std::vector<planning::SliceLine>>> lines_;  // of each height, of each scan
+  std::vector<Eigen::Vector2d> obstacles_map_;
+};
+
+/// A pose of the laser or the base as seen from above.
+slam::Pose2 FromAbove(const slam::Pose3& pose);
+
+/// How far a place is from the nearest edge, of those that are seen if `seen_only`; infinite without any.
+double DistanceToEdges(const Eigen::Vector2d& p_map, std::span<const planning::LabelledPolygon> area,
+                       bool seen_only);
+
+}  // namespace ariadne::experiments
