@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "control/simulate_approach.h"
 #include "planning/path/geodesic.h"
 
 namespace ariadne::experiments {
@@ -22,6 +23,27 @@ planning::LabelledPolygon Disc(const Eigen::Vector2d& center, double radius) {
     disc.outer.push_back({center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)), false});
   }
   return disc;
+}
+
+/// What the controller makes of a way: from corner to corner, each reached in the direction of the next.
+planning::WayCost CostByController(const slam::Pose2& T_map_robot, ExploreWay way) {
+  if (way == ExploreWay::kPlanner) return {};
+  return [T_map_robot, way](std::span<const Eigen::Vector2d> path_map, const planning::View& view) {
+    const control::ApproachOptions options;
+    slam::Pose2 at = T_map_robot;
+    double cost = 0.0;
+    for (std::size_t i = 1; i < path_map.size(); ++i) {
+      const Eigen::Vector2d ahead = i + 1 < path_map.size() ? path_map[i + 1] - path_map[i] : path_map[i];
+      const double angle = i + 1 < path_map.size() ? std::atan2(ahead.y(), ahead.x()) : view.direction;
+      const slam::Pose2 goal{angle, path_map[i]};
+      if ((goal.translation - at.translation).norm() < options.goal_distance) continue;
+      const control::ApproachCostResult leg = control::ApproachCost(at, goal, options);
+      const double metres_per_second = options.limits.max_speed;
+      cost += way == ExploreWay::kControllerTime ? metres_per_second * leg.duration : leg.length;
+      at = goal;
+    }
+    return cost;
+  };
 }
 
 /// What has been seen so far of the cover.
@@ -45,6 +67,12 @@ class Covered {
 
 double Seconds(std::chrono::steady_clock::time_point since) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+}
+
+std::vector<slam::Pose2> ScansOf(const Exploration& exploration) {
+  std::vector<slam::Pose2> T_map_scans;
+  for (const ExploreStep& step : exploration.steps) T_map_scans.push_back(step.T_map_scan);
+  return T_map_scans;
 }
 
 /// The first step by which a share is covered.
@@ -71,7 +99,8 @@ Exploration Explore(const Floor& floor, const FloorCover& cover, const slam::Pos
     if (exploration.steps.size() >= static_cast<std::size_t>(options.max_scans)) return exploration;
     const auto before = std::chrono::steady_clock::now();
     const planning::ViewPlan plan = planning::PlanNextView(
-        exploration.area, step.T_map_scan, options.planner, seed + exploration.steps.size());
+        exploration.area, step.T_map_scan, options.planner, seed + exploration.steps.size(),
+        ScansOf(exploration), CostByController(step.T_map_scan, options.way));
     step.planning_seconds = Seconds(before);
     exploration.ended = !plan.chosen;
     if (!plan.chosen) return exploration;

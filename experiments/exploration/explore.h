@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -9,7 +10,15 @@
 
 namespace ariadne::experiments {
 
+/// What counts as the way to a view.
+enum class ExploreWay {
+  kPlanner,           // what the planner's option says
+  kControllerLength,  // of what the controller of Sec. 5.1 drives along the corners of the way
+  kControllerTime,    // and how long it takes, at full speed for each metre
+};
+
 struct ExploreOptions {
+  ExploreWay way = ExploreWay::kPlanner;
   planning::ViewPlannerOptions planner;
   planning::LabelledUnionOptions united;
   FloorScannerOptions scanner;
@@ -17,6 +26,9 @@ struct ExploreOptions {
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
+    visit("way", self.way,
+          "what counts as the way to a view: the planner's option, or what a simulation of the controller "
+          "drives (5.1), as its length or its time");
     visit("planner", self.planner, "where to scan next");
     visit("united", self.united, "how the scans' polygons are united");
     visit("scanner", self.scanner, "what a scan shows");
@@ -50,3 +62,12 @@ double ScansTo(const Exploration& exploration, double share);
 double PathTo(const Exploration& exploration, double share);
 
 }  // namespace ariadne::experiments
+
+namespace ariadne {
+
+template <>
+struct EnumNames<experiments::ExploreWay> {
+  static constexpr std::array<std::string_view, 3> value{"planner", "controller_length", "controller_time"};
+};
+
+}  // namespace ariadne

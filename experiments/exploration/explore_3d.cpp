@@ -134,11 +134,13 @@ NextDrive RobotLoop::Plan(RobotScanStep& step) const {
   const Stopwatch watch;
   NextDrive next;
   const std::vector<slam::Pose3> poses = Poses();
+  std::vector<slam::Pose2> T_map_scans;
+  for (const slam::Pose3& T_map_laser : poses) T_map_scans.push_back(FromAbove(T_map_laser));
   for (std::size_t h = 0; h < area_.height_count(); ++h) {
     const std::vector<planning::LabelledPolygon> area = area_.At(h, poses);
     if (h == 0) step.mapped = MappedShare(floor_.cover, area);
     planning::ViewPlan plan =
-        planning::PlanNextView(area, step.T_map_base, options_.planner, seed_ + poses.size());
+        planning::PlanNextView(area, step.T_map_base, options_.planner, seed_ + poses.size(), T_map_scans);
     if (!plan.chosen) continue;
     const planning::View& view = plan.views[*plan.chosen];
     if (next.view && view.value <= next.view->value) continue;

@@ -62,18 +62,32 @@ std::vector<NbvVariant> VariantsOf(const AblationNbvOptions& options) {
   return variants;
 }
 
-/// All variants from all starts on one floor.
-std::vector<NbvTrial> TryFloor(const NbvFloor& floor, const std::vector<NbvVariant>& variants,
-                               const AblationNbvOptions& options, const Parallel& parallel) {
-  const auto seeds = static_cast<std::size_t>(options.seeds);
-  std::vector<NbvTrial> trials(variants.size() * seeds);
-  parallel.For(trials.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
-    trials[i] = TryNbv(floor, variants[i / seeds], options.share, i % seeds + 1);
+struct NbvTask {
+  const NbvVariant* variant;
+  std::uint64_t seed;
+};
+
+/// All variants from all starts.
+std::vector<NbvTask> TasksOf(const std::vector<NbvVariant>& variants, const AblationNbvOptions& options) {
+  std::vector<NbvTask> tasks;
+  for (const NbvVariant& variant : variants) {
+    const int seeds =
+        variant.study == "policies" ? options.seeds : std::min(options.seeds, options.study_seeds);
+    for (int k = 1; k <= seeds; ++k) tasks.push_back({&variant, static_cast<std::uint64_t>(k)});
+  }
+  return tasks;
+}
+
+std::vector<NbvTrial> TryFloor(const NbvFloor& floor, const std::vector<NbvTask>& tasks, double share,
+                               const Parallel& parallel) {
+  std::vector<NbvTrial> trials(tasks.size());
+  parallel.For(tasks.size(), 1, [&](std::size_t i, std::size_t, std::size_t) {
+    trials[i] = TryNbv(floor, *tasks[i].variant, share, tasks[i].seed);
   });
   return trials;
 }
 
-Json TimesOf(const Table& times) {
+Json PlanningTimes(const Table& times) {
   Json json = Json::array();
   for (const auto& row : times.rows) {
     Json entry;
@@ -97,7 +111,7 @@ std::string Report(const AblationNbvOptions& options, const std::vector<NbvTrial
   }
   run.WriteCsv("curves.csv", NbvCurveTable(trials));
   const Table times = NbvTimeTable(trials);
-  run.WriteJson("timing.json", TimesOf(times));
+  run.WriteJson("timing.json", PlanningTimes(times));
   return text + ToText(times);
 }
 
@@ -112,6 +126,7 @@ std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory
                            ProgressDisplay& progress) {
   const std::vector<std::string> worlds = WorldsOf(options);
   const std::vector<NbvVariant> variants = VariantsOf(options);
+  const std::vector<NbvTask> tasks = TasksOf(variants, options);
   const Parallel parallel(options.threads);
   NbvFloorOptions floor_options = options.floor;
   floor_options.bound.cover.share = options.share;
@@ -129,10 +144,10 @@ std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory
                           options.floor.cover.resolution,
                       static_cast<double>(floor.cover.places_map.size()) * floor.cover.length_each,
                       floor.bound.views.size(), floor.bound.lower_bound});
-    for (NbvTrial& trial : TryFloor(floor, variants, options, parallel)) trials.push_back(std::move(trial));
+    for (NbvTrial& trial : TryFloor(floor, tasks, options.share, parallel))
+      trials.push_back(std::move(trial));
     run.WriteCsv("trials.csv", NbvTrialTable(trials));
-    progress.Keep(fmt::format("{}: {} explorations, at least {} views", floor.floor.name,
-                              variants.size() * static_cast<std::size_t>(options.seeds),
+    progress.Keep(fmt::format("{}: {} explorations, at least {} views", floor.floor.name, tasks.size(),
                               floor.bound.lower_bound));
   }
   const std::string text = Report(options, trials, floors, run);

@@ -11,8 +11,9 @@ namespace ariadne::experiments {
 /// exactly, with exact visibility in the plane, against the fewest views that would do.
 struct AblationNbvOptions {
   std::string floors = "plans, builtin:robobench, builtin:entrance_hall";
-  std::string studies = "policies, gain, candidates, c1, c2, field_of_view, min_overlap";
+  std::string studies = "policies, gain, samplers, ways, candidates, c1, c2, field_of_view, min_overlap";
   int seeds = 10;
+  int study_seeds = 3;
   double share = 0.95;
   ExploreOptions explore;
   NbvFloorOptions floor;
@@ -24,7 +25,9 @@ struct AblationNbvOptions {
     visit("floors", self.floors,
           "a, b, ...: worlds as simulate takes them; plans: all in $ARIADNE_DATA/plans");
     visit("studies", self.studies, "a, b, ...: what is varied, one after another; policies comes first");
-    visit("seeds", self.seeds, Unit(""), Range{1, 10000}, "starts on each floor");
+    visit("seeds", self.seeds, Unit(""), Range{1, 10000}, "starts on each floor, for the policies");
+    visit("study_seeds", self.study_seeds, Unit(""), Range{1, 10000},
+          "for all other studies; no more than for the policies, whose default they are compared with");
     visit("share", self.share, Unit("share"), Range{0.01, 1.0},
           "of what can be seen, to which scans and ways are counted; of the bound too");
     visit("explore", self.explore, "the planner where it is not varied: `default` in the tables");

@@ -12,8 +12,8 @@
 namespace ariadne::experiments {
 namespace {
 
-using Values = std::vector<double>;
-using Measure = std::function<double(const NbvTrial&)>;
+using NbvValues = std::vector<double>;
+using NbvMeasure = std::function<double(const NbvTrial&)>;
 
 constexpr double kNever =
     100.0;  // times the bound, where a share was never seen: any large number ranks last
@@ -36,10 +36,10 @@ std::vector<NbvTrial> OfVariant(std::span<const NbvTrial> trials, const std::str
 }
 
 /// For each floor the median over its seeds.
-Values ByFloor(std::span<const NbvTrial> trials, const Measure& measure) {
-  Values medians;
+NbvValues ByFloor(std::span<const NbvTrial> trials, const NbvMeasure& measure) {
+  NbvValues medians;
   for (const std::string& floor : NamesIn(trials, &NbvTrial::floor)) {
-    Values values;
+    NbvValues values;
     for (const NbvTrial& trial : trials) {
       if (trial.floor == floor) values.push_back(std::min(measure(trial), kNever));
     }
@@ -51,19 +51,19 @@ Values ByFloor(std::span<const NbvTrial> trials, const Measure& measure) {
 double ScanRatio(const NbvTrial& t) { return t.scans_95 / t.bound_scans; }
 double PathRatio(const NbvTrial& t) { return t.path_95 / t.bound_path; }
 
-double MeanOver(std::span<const NbvTrial> trials, const Measure& measure) {
-  Values values;
+double MeanOver(std::span<const NbvTrial> trials, const NbvMeasure& measure) {
+  NbvValues values;
   for (const NbvTrial& trial : trials) values.push_back(measure(trial));
   return Mean(values);
 }
 
-double LeastOver(std::span<const NbvTrial> trials, const Measure& measure) {
+double LeastOver(std::span<const NbvTrial> trials, const NbvMeasure& measure) {
   double least = measure(trials.front());
   for (const NbvTrial& trial : trials) least = std::min(least, measure(trial));
   return least;
 }
 
-std::string RatioText(const Values& values, const BootstrapOptions& bootstrap) {
+std::string RatioText(const NbvValues& values, const BootstrapOptions& bootstrap) {
   const Interval i = BootstrapInterval(values, MedianStatistic, bootstrap);
   const auto number = [](double v) {
     return v >= kNever ? std::string("never") : fmt::format("{:.2f}", v);
@@ -77,8 +77,8 @@ struct Comparison {
   double p = 1.0;
 };
 
-Comparison Compare(const Values& variant, const Values& base, const BootstrapOptions& bootstrap) {
-  Values change, logs;
+Comparison Compare(const NbvValues& variant, const NbvValues& base, const BootstrapOptions& bootstrap) {
+  NbvValues change, logs;
   for (std::size_t i = 0; i < variant.size(); ++i) {
     change.push_back(100.0 * (variant[i] / base[i] - 1.0));
     logs.push_back(std::log(variant[i] / base[i]));
@@ -120,7 +120,7 @@ Table NbvFloorTable(std::span<const NbvTrial> trials, std::span<const NbvFloorSu
               {}};
   const std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
   for (const NbvFloorSummary& floor : floors) {
-    Values tours, scans, ways, covered;
+    NbvValues tours, scans, ways, covered;
     for (const NbvTrial& t : base) {
       if (t.floor != floor.name) continue;
       tours.push_back(t.bound_path);
@@ -128,7 +128,7 @@ Table NbvFloorTable(std::span<const NbvTrial> trials, std::span<const NbvFloorSu
       ways.push_back(t.path_95);
       covered.push_back(100.0 * t.covered);
     }
-    const auto median = [](const Values& values) {
+    const auto median = [](const NbvValues& values) {
       return values.empty() ? std::string("-") : fmt::format("{:.0f}", Median(values));
     };
     table.rows.push_back({floor.name, fmt::format("{:.0f}", floor.reachable_area),
@@ -147,7 +147,10 @@ Table NbvStudyTable(std::span<const NbvTrial> trials, const std::string& study,
   std::vector<NbvTrial> of_study;
   std::ranges::copy_if(trials, std::back_inserter(of_study),
                        [&](const NbvTrial& t) { return t.study == study; });
-  const std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
+  std::uint64_t seeds = 0;
+  for (const NbvTrial& t : of_study) seeds = std::max(seeds, t.seed);
+  std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
+  std::erase_if(base, [&](const NbvTrial& t) { return t.seed > seeds; });
   std::vector<double> p_scans, p_ways;
   for (const std::string& name : NamesIn(of_study, &NbvTrial::variant)) {
     const std::vector<NbvTrial> variant = OfVariant(trials, study, name);
@@ -190,7 +193,7 @@ Table NbvTimeTable(std::span<const NbvTrial> trials) {
   Table table{{"study", "variant", "decisions", "median ms", "99 % ms", "max ms"}, {}};
   for (const std::string& study : NamesIn(trials, &NbvTrial::study)) {
     for (const std::string& name : NamesIn(trials, &NbvTrial::variant)) {
-      Values ms;
+      NbvValues ms;
       for (const NbvTrial& t : OfVariant(trials, study, name)) {
         for (const double seconds : t.planning_seconds) ms.push_back(1e3 * seconds);
       }

@@ -55,12 +55,38 @@ std::vector<NbvVariant> Gains(const ExploreOptions& base) {
   return variants;
 }
 
+/// The paper's candidates beside those of OMPL's samplers: of the same number, in the same free space.
+std::vector<NbvVariant> Samplers(const ExploreOptions& base) {
+  std::vector<NbvVariant> variants;
+  for (std::size_t i = 0; i < EnumNames<planning::CandidateSampler>::value.size(); ++i) {
+    variants.push_back({"samplers", std::string(EnumNames<planning::CandidateSampler>::value[i]), base});
+    variants.back().explore.planner.sampler = static_cast<planning::CandidateSampler>(i);
+  }
+  return variants;
+}
+
+std::vector<NbvVariant> Ways(const ExploreOptions& base) {
+  std::vector<NbvVariant> variants;
+  for (std::size_t i = 0; i < EnumNames<planning::WayLength>::value.size(); ++i) {
+    variants.push_back({"ways", std::string(EnumNames<planning::WayLength>::value[i]), base});
+    variants.back().explore.planner.way = static_cast<planning::WayLength>(i);
+  }
+  for (const auto way : {ExploreWay::kControllerLength, ExploreWay::kControllerTime}) {
+    variants.push_back(
+        {"ways", std::string(EnumNames<ExploreWay>::value[static_cast<std::size_t>(way)]), base});
+    variants.back().explore.way = way;
+  }
+  return variants;
+}
+
 using MakeVariants = std::function<std::vector<NbvVariant>(const ExploreOptions&)>;
 
 const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
   static const std::vector<std::pair<std::string, MakeVariants>> kMakers{
       {"policies", Policies},
       {"gain", Gains},
+      {"samplers", Samplers},
+      {"ways", Ways},
       {"candidates",
        [](const ExploreOptions& base) {
          return Numbers<int>("candidates", base, {50, 100, 200, 400, 800},
@@ -89,7 +115,7 @@ const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
 
 }  // namespace
 
-const std::vector<std::string>& NbvStudies() {
+const std::vector<std::string>& NbvStudyNames() {
   static const std::vector<std::string> kNames = [] {
     std::vector<std::string> names;
     for (const auto& [name, make] : Makers()) names.push_back(name);
@@ -102,7 +128,8 @@ std::vector<NbvVariant> NbvVariants(const std::string& study, const ExploreOptio
   for (const auto& [name, make] : Makers()) {
     if (name == study) return make(base);
   }
-  Fail("there is nothing to vary that is named '{}'; there are {}", study, fmt::join(NbvStudies(), ", "));
+  Fail("there is nothing to vary that is named '{}'; there are {}", study,
+       fmt::join(NbvStudyNames(), ", "));
 }
 
 }  // namespace ariadne::experiments

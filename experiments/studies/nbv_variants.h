@@ -8,7 +8,7 @@
 namespace ariadne::experiments {
 
 /// What can be varied, by name.
-const std::vector<std::string>& NbvStudies();
+const std::vector<std::string>& NbvStudyNames();
 
 /// The ways of planning of one of these, `base` among them in the study of policies. Error for a name that
 /// there is not.

@@ -83,8 +83,10 @@ PlanStep PlanNextScan(std::span<const slam::PosedCloud> scans, const PlanStepOpt
   if (std::ranges::all_of(step.polygons, &planning::LabelledPolygon::empty))
     Fail("the scans show nothing at the height of {} m", options.height);
   step.T_map_robot = RobotAt(scans.back());
+  std::vector<slam::Pose2> T_map_scans;
+  for (const slam::HorizontalSlice& slice : step.slices) T_map_scans.push_back(slice.T_map_scan);
   step.plan = planning::PlanNextView(step.area, step.T_map_robot, options.planner,
-                                     static_cast<std::uint64_t>(options.seed));
+                                     static_cast<std::uint64_t>(options.seed), T_map_scans);
   return step;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
 
 #include "slam/geometry/angles.h"
@@ -83,7 +84,33 @@ class DiscMotions : public ob::MotionValidator {
   double radius_;
 };
 
+/// Those that are silent now, in any thread: OMPL has one output for all.
+struct Silent {
+  std::mutex mutex;
+  int count = 0;
+  ompl::msg::OutputHandler* before = nullptr;
+};
+
+Silent& TheSilent() {
+  static Silent silent;
+  return silent;
+}
+
 }  // namespace
+
+OmplSilence::OmplSilence() {
+  Silent& silent = TheSilent();
+  const std::scoped_lock lock(silent.mutex);
+  if (silent.count++ > 0) return;
+  silent.before = ompl::msg::getOutputHandler();
+  ompl::msg::noOutputHandler();
+}
+
+OmplSilence::~OmplSilence() {
+  Silent& silent = TheSilent();
+  const std::scoped_lock lock(silent.mutex);
+  if (--silent.count == 0) ompl::msg::useOutputHandler(silent.before);
+}
 
 void RequireRadius(double radius) {
   if (radius >= 0.0 && std::isfinite(radius)) return;

@@ -21,16 +21,13 @@
 
 namespace ariadne::planning::internal {
 
-/// OMPL writes to the terminal unless told not to; this restores what was before.
+/// OMPL writes to the terminal unless told not to; the last of these that ends restores what was before.
 class OmplSilence {
  public:
-  OmplSilence() : before_(ompl::msg::getOutputHandler()) { ompl::msg::noOutputHandler(); }
-  ~OmplSilence() { ompl::msg::useOutputHandler(before_); }
+  OmplSilence();
+  ~OmplSilence();
   OmplSilence(const OmplSilence&) = delete;
   OmplSilence& operator=(const OmplSilence&) = delete;
-
- private:
-  ompl::msg::OutputHandler* before_;
 };
 
 /// Error for a disc's radius that is negative or not finite.

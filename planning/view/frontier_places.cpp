@@ -7,8 +7,8 @@
 namespace ariadne::planning {
 namespace {
 
-constexpr double kSpacing = 1.0;                                              // along an edge [m]
-constexpr std::array kBefore{0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};  // beyond the radius [m]
+constexpr double kSpacing = 1.0;                                         // along an edge [m]
+constexpr std::array kBefore{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};  // beyond the radius [m]
 
 }  // namespace
 

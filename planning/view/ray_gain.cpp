@@ -104,12 +104,13 @@ void RayGain::Project(std::size_t number, const Eigen::Vector2d& p_map, std::spa
     const double distance = HitDistance(direction_[ray], a, b, area);
     RayHit& hit = hits[ray];
     if (!(distance >= 0.0) || distance > hit.distance) continue;
-    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), number};
+    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), false, number};
   }
 }
 
 bool RayGain::IsUnseen(const RayHit& hit) const {
-  return !hit.seen && hit.distance >= options_.min_range && hit.distance <= options_.max_range;
+  return !hit.seen && !hit.spent && hit.distance >= options_.min_range &&
+         hit.distance <= options_.max_range;
 }
 
 double RayGain::AreaBehind(const RayHit& hit) const {

@@ -47,7 +47,8 @@ struct RayGainOptions {
 struct RayHit {
   double distance = std::numeric_limits<double>::infinity();  // [m]; beyond max_range it may be any
   bool seen = false;                                          // the label of the edge
-  std::size_t edge = 0;                                       // its number, where there is a hit
+  bool spent = false;    // whether an unseen edge has nothing more to give
+  std::size_t edge = 0;  // its number, where there is a hit
 };
 
 /// The best field of view of a place.
@@ -70,7 +71,7 @@ class RayGain {
   /// through where two edges meet; a ray along an edge meets its neighbour. A place on an edge sees that.
   std::vector<RayHit> Cast(const Eigen::Vector2d& p_map) const;
 
-  /// f(p, i): whether a ray meets an unseen edge within the range limits.
+  /// f(p, i): whether a ray meets an unseen edge within the range limits, which is not spent.
   bool IsUnseen(const RayHit& hit) const;
 
   /// What a ray that meets an unseen edge counts: 1, or an area [m^2].

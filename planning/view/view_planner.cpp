@@ -6,6 +6,7 @@
 
 #include "planning/path/geodesic.h"
 #include "planning/view/frontier_places.h"
+#include "planning/view/looked_at.h"
 #include "planning/view/view_policy.h"
 #include "slam/geometry/angles.h"
 
@@ -62,57 +63,128 @@ std::vector<EdgePiece> PiecesOf(const Scene& scene, const View& view, std::span<
   return pieces;
 }
 
-void Judge(const Scene& scene, const Eigen::Vector2d& p_map, double way, const slam::Pose2& T_map_robot,
-           const ViewPlannerOptions& options, Judged& judged) {
-  const std::vector<RayHit> hits = scene.gain.Cast(p_map);
-  const ViewGain best = scene.gain.Of(hits);
-  View view{p_map, best.direction, best.gain, best.area, best.overlap, way, 0.0, 0.0};
-  if (options.way == WayLength::kStraight) view.distance = (p_map - T_map_robot.translation).norm();
-  view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot.angle));
-  view.value = std::exp(LogValue(view, options.view));
-  judged.views.push_back(view);
-  if (!LooksAhead(options.policy)) return;
-  judged.pieces.push_back(PiecesOf(scene, view, hits, options.piece, judged.numbers));
+/// A decision in the making.
+class Decision {
+ public:
+  Decision(const Scene& scene, const slam::Pose2& T_map_robot, const ViewPlannerOptions& options,
+           std::uint64_t seed, const LookedAt& looked_at, const WayCost& way_cost)
+      : scene_(scene),
+        T_map_robot_(T_map_robot),
+        options_(options),
+        seed_(seed),
+        looked_at_(looked_at),
+        way_cost_(way_cost) {}
+
+  std::vector<Eigen::Vector2d> DrawPlaces() const;
+  /// Those of the places that the robot can get to, up to a number.
+  std::vector<Eigen::Vector2d> Reachable(std::span<const Eigen::Vector2d> places, int count) const;
+  Judged Judge(std::span<const Eigen::Vector2d> places) const;
+  /// Among the judged views, where any is worth a stop.
+  std::optional<std::size_t> Choose(const Judged& judged) const;
+
+ private:
+  Eigen::Vector2d StartWithRoom(std::span<const Eigen::Vector2d> places) const;
+  std::vector<double> Ways(std::span<const Eigen::Vector2d> places) const;
+  std::vector<RayHit> Cast(const Eigen::Vector2d& p_map) const;
+  View Look(const Eigen::Vector2d& p_map, double way, std::span<const RayHit> hits) const;
+
+  const Scene& scene_;
+  const slam::Pose2& T_map_robot_;
+  const ViewPlannerOptions& options_;
+  std::uint64_t seed_;
+  const LookedAt& looked_at_;
+  const WayCost& way_cost_;
+};
+
+std::vector<Eigen::Vector2d> Decision::DrawPlaces() const {
+  if (options_.sampler != CandidateSampler::kUniform) {
+    OmplCandidateOptions ompl = options_.ompl;
+    ompl.count = options_.candidates.count;
+    return DrawOmplCandidates(scene_.free, options_.robot_radius, options_.sampler, ompl, seed_);
+  }
+  CandidateOptions more = options_.candidates;
+  more.count *= 3;  // some keep too little distance from walls, or cannot be reached
+  return DrawCandidates(scene_.area, scene_.edges, more, seed_);
 }
 
-/// Judges the places that the robot can get to, up to a number.
-Judged JudgeReachable(const Scene& scene, std::span<const Eigen::Vector2d> places, std::size_t count,
-                      const slam::Pose2& T_map_robot, const ViewPlannerOptions& options) {
-  Judged judged;
+std::vector<Eigen::Vector2d> Decision::Reachable(std::span<const Eigen::Vector2d> places, int count) const {
+  std::vector<Eigen::Vector2d> reachable;
   for (const Eigen::Vector2d& p_map : places) {
-    if (judged.views.size() == count) break;
-    if (!scene.free.IsFree(p_map, options.robot_radius)) continue;
-    const double way = scene.ways.To(p_map);
-    if (std::isfinite(way)) Judge(scene, p_map, way, T_map_robot, options, judged);
+    if (reachable.size() == static_cast<std::size_t>(count)) break;
+    if (!scene_.free.IsFree(p_map, options_.robot_radius)) continue;
+    if (std::isfinite(scene_.ways.To(p_map))) reachable.push_back(p_map);
+  }
+  return reachable;
+}
+
+/// Where ways really begin: a robot that has just looked ahead stands at the edge of what it knows.
+Eigen::Vector2d Decision::StartWithRoom(std::span<const Eigen::Vector2d> places) const {
+  const Eigen::Vector2d& start = T_map_robot_.translation;
+  if (scene_.free.IsFree(start, options_.robot_radius) || places.empty()) return start;
+  const auto path = scene_.ways.PathTo(places.front());
+  return path.size() > 1 ? path[1] : start;
+}
+
+std::vector<double> Decision::Ways(std::span<const Eigen::Vector2d> places) const {
+  if (options_.way == WayLength::kRoadmap) {
+    const Roadmap roadmap = BuildRoadmap(scene_.free, options_.robot_radius, options_.roadmap, seed_);
+    return RoadmapDistances(scene_.free, roadmap, StartWithRoom(places), places);
+  }
+  const bool straight = options_.way == WayLength::kStraight;
+  std::vector<double> ways;
+  for (const Eigen::Vector2d& p_map : places) {
+    ways.push_back(straight ? (p_map - T_map_robot_.translation).norm() : scene_.ways.To(p_map));
+  }
+  return ways;
+}
+
+/// With what earlier scans have looked at in vain as spent.
+std::vector<RayHit> Decision::Cast(const Eigen::Vector2d& p_map) const {
+  std::vector<RayHit> hits = scene_.gain.Cast(p_map);
+  for (std::size_t i = 0; i < hits.size(); ++i) {
+    if (!scene_.gain.IsUnseen(hits[i])) continue;
+    const Eigen::Vector2d met = p_map + hits[i].distance * scene_.gain.Direction(i);
+    hits[i].spent = !looked_at_.IsWorth(met, scene_.gain.Direction(i), hits[i], options_.look_again);
+  }
+  return hits;
+}
+
+View Decision::Look(const Eigen::Vector2d& p_map, double way, std::span<const RayHit> hits) const {
+  const ViewGain best = scene_.gain.Of(hits);
+  View view{p_map, best.direction, best.gain, best.area, best.overlap, way, 0.0, 0.0};
+  if (way_cost_) view.distance = way_cost_(scene_.ways.PathTo(p_map), view);
+  view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot_.angle));
+  view.value = std::exp(LogValue(view, options_.view));
+  return view;
+}
+
+Judged Decision::Judge(std::span<const Eigen::Vector2d> places) const {
+  const std::vector<double> ways = Ways(places);
+  Judged judged;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::vector<RayHit> hits = Cast(places[i]);
+    judged.views.push_back(Look(places[i], ways[i], hits));
+    if (!LooksAhead(options_.policy)) continue;
+    judged.pieces.push_back(PiecesOf(scene_, judged.views.back(), hits, options_.piece, judged.numbers));
   }
   return judged;
 }
 
-/// Chooses among the judged views, where any is worth a stop.
-std::optional<std::size_t> Choose(const Scene& scene, const Judged& judged,
-                                  const ViewPlannerOptions& options, std::uint64_t seed) {
+std::optional<std::size_t> Decision::Choose(const Judged& judged) const {
   ViewChoice choice{judged.views, {}, judged.pieces, {}};
   for (std::size_t i = 0; i < judged.views.size(); ++i) {
     const View& view = judged.views[i];
-    if (view.gain >= options.view.min_gain && view.overlap >= options.min_overlap)
-      choice.worth.push_back(i);
+    const bool is_enough = view.gain >= options_.view.min_gain && view.overlap >= options_.min_overlap;
+    if (is_enough && std::isfinite(view.distance)) choice.worth.push_back(i);
   }
   if (choice.worth.empty()) return {};
   choice.ways = [&](std::size_t from, std::span<const std::size_t> to) {
-    const GeodesicField ways = DistancesFrom(scene.free, judged.views[from].p_map, options.robot_radius);
+    const GeodesicField ways = DistancesFrom(scene_.free, judged.views[from].p_map, options_.robot_radius);
     std::vector<double> lengths;
     for (const std::size_t i : to) lengths.push_back(ways.To(judged.views[i].p_map));
     return lengths;
   };
-  return ChooseView(choice, options, seed);
-}
-
-/// More than can be used, since some places keep too little distance from walls, or cannot be reached.
-std::vector<Eigen::Vector2d> Places(const Scene& scene, const ViewPlannerOptions& options,
-                                    std::uint64_t seed) {
-  CandidateOptions more = options.candidates;
-  more.count *= 3;
-  return DrawCandidates(scene.area, scene.edges, more, seed);
+  return ChooseView(choice, options_, seed_);
 }
 
 }  // namespace
@@ -122,6 +194,7 @@ ViewPlannerOptions PaperViewPlannerOptions() {
   options.policy = ViewPolicy::kExponential;
   options.way = WayLength::kStraight;
   options.second_look = 0;
+  options.look_again = 1000.0;
   options.view = PaperNextViewOptions();
   return options;
 }
@@ -141,22 +214,26 @@ std::vector<Edge> EdgesOf(std::span<const LabelledPolygon> area) {
 }
 
 ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
-                      const ViewPlannerOptions& options, std::uint64_t seed) {
+                      const ViewPlannerOptions& options, std::uint64_t seed,
+                      std::span<const slam::Pose2> T_map_scans, const WayCost& way_cost) {
   CheckOptions(options, "planner.");
   const Scene scene(area, T_map_robot, options);
-  const auto count = static_cast<std::size_t>(options.candidates.count);
+  const LookedAt looked_at(scene.edges, T_map_scans, options.view.gain, options.piece);
+  const Decision decision(scene, T_map_robot, options, seed, looked_at, way_cost);
   const bool by_frontier = options.policy == ViewPolicy::kNearestFrontier;
-  const auto second = static_cast<std::size_t>(options.second_look);
   ViewPlan plan;
   Judged judged;
-  if (!by_frontier)
-    judged = JudgeReachable(scene, Places(scene, options, seed), count, T_map_robot, options);
-  plan.chosen = Choose(scene, judged, options, seed);
-  if (!plan.chosen && (by_frontier || second > 0)) {
+  if (!by_frontier) {
+    judged = decision.Judge(decision.Reachable(decision.DrawPlaces(), options.candidates.count));
+    plan.chosen = decision.Choose(judged);
+  }
+  if (!plan.chosen && (by_frontier || options.second_look > 0)) {
     plan.second_look = !by_frontier;
     const auto places = FrontierPlaces(scene.edges, scene.free, options.robot_radius);
-    judged = JudgeReachable(scene, places, by_frontier ? count : second, T_map_robot, options);
-    plan.chosen = Choose(scene, judged, options, seed);
+    const int count = by_frontier ? options.candidates.count : options.second_look;
+    Judged before_edges = decision.Judge(decision.Reachable(places, count));
+    plan.chosen = decision.Choose(before_edges);
+    if (plan.chosen || judged.views.empty()) judged = std::move(before_edges);
   }
   plan.views = std::move(judged.views);
   if (!plan.views.empty()) plan.status = plan.chosen ? NextViewStatus::kFound : NextViewStatus::kNoGain;

@@ -2,10 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 
 #include "planning/path/free_space.h"
+#include "planning/path/roadmap.h"
 #include "planning/polygon/labelled_polygon.h"
 #include "planning/view/next_view.h"
+#include "planning/view/ompl_candidates.h"
 #include "planning/view/uniform_candidates.h"
 
 namespace ariadne::planning {
@@ -23,7 +26,12 @@ enum class ViewPolicy {
 enum class WayLength {
   kStraight,  // the paper's ||r - p||
   kGeodesic,  // of the shortest way of a disc through what is known to be free
+  kRoadmap,   // of the way through a roadmap of OMPL (PRM*)
 };
+
+/// The length of the way to a view [m], instead of WayLength: corners from the robot's place on, and the
+/// view.
+using WayCost = std::function<double(std::span<const Eigen::Vector2d> path_map, const View& view)>;
 
 struct ViewPlannerOptions {
   ViewPolicy policy = ViewPolicy::kExponential;
@@ -32,8 +40,12 @@ struct ViewPlannerOptions {
   double min_overlap = 0.0;
   int second_look = 1000;
   double piece = 0.5;
+  double look_again = 0.5;
   FreeSpaceOptions free_space;
+  CandidateSampler sampler = CandidateSampler::kUniform;
   CandidateOptions candidates;
+  OmplCandidateOptions ompl;
+  RoadmapOptions roadmap;
   NextViewOptions view;
 
   template <typename Self, typename Visitor>
@@ -50,9 +62,18 @@ struct ViewPlannerOptions {
           "places before unseen edges that are looked at, at most, before exploration ends; 0: it ends "
           "where no candidate has enough gain");
     visit("piece", self.piece, Unit("m"), Range{0.01, 10.0},
-          "of an unseen edge, that counts as seen or not where two views are planned together");
+          "of an unseen edge, that has been looked at or not");
+    visit("look_again", self.look_again, Unit("share"), Range{0.0, 1000.0},
+          "of the distance from which a scan has looked at an unseen edge in vain: only from nearer than "
+          "that "
+          "it counts again. Windows and halls wider than the range promise the same gain for ever; 1000: "
+          "always, as the paper has no such rule");
     visit("free_space", self.free_space, "the raster on which ways are found");
+    visit("sampler", self.sampler,
+          "where candidates come from; uniform is the paper's, the others are OMPL's");
     visit("candidates", self.candidates, "places that are judged");
+    visit("ompl", self.ompl, "those of OMPL's samplers; their count is that of candidates");
+    visit("roadmap", self.roadmap, "for ways by roadmap");
     visit("view", self.view, "the gain and the weights");
   }
 };
@@ -69,12 +90,14 @@ struct ViewPlan {
 };
 
 /// Where to scan next, given what is known to be free and which of its edges are unseen (Sec. 4.2, 4.3).
-/// The same input gives the same bytes. Error for corners or a pose that are not finite.
+/// `T_map_scans` are the scans that have been taken, for look_again. The same input gives the same bytes.
+/// Error for corners or a pose that are not finite.
 ///
 /// kNoGain, the end of an exploration: neither a candidate nor a place before an unseen edge that the
 /// robot can reach has min_gain rays (and min_overlap). kNoCandidates: the robot cannot move.
 ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
-                      const ViewPlannerOptions& options, std::uint64_t seed);
+                      const ViewPlannerOptions& options, std::uint64_t seed,
+                      std::span<const slam::Pose2> T_map_scans = {}, const WayCost& way_cost = {});
 
 /// All edges with their labels.
 std::vector<Edge> EdgesOf(std::span<const LabelledPolygon> area);
@@ -91,7 +114,7 @@ struct EnumNames<planning::ViewPolicy> {
 
 template <>
 struct EnumNames<planning::WayLength> {
-  static constexpr std::array<std::string_view, 2> value{"straight", "geodesic"};
+  static constexpr std::array<std::string_view, 3> value{"straight", "geodesic", "roadmap"};
 };
 
 }  // namespace ariadne

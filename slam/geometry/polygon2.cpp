@@ -35,7 +35,7 @@ cl::Path ToPath(const Ring& ring) {
   cl::Path path;
   path.reserve(ring.size());
   for (const Eigen::Vector2d& p : ring) {
-    if (!(p.cwiseAbs().maxCoeff() < kMaxCoordinate)) {  // true for NaN too
+    if (!p.allFinite() || p.cwiseAbs().maxCoeff() >= kMaxCoordinate) {
       Fail("a polygon has the corner ({}, {}), which is no place within {} m", p.x(), p.y(),
            kMaxCoordinate);
     }
