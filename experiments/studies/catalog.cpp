@@ -7,14 +7,16 @@
 #include "experiments/studies/ablation_features.h"
 #include "experiments/studies/ablation_graph.h"
 #include "experiments/studies/ablation_matching.h"
+#include "experiments/studies/ablation_nbv.h"
+#include "experiments/studies/ablation_nbv_3d.h"
 #include "experiments/studies/extract.h"
 #include "experiments/studies/fig_02.h"
 #include "experiments/studies/fig_03.h"
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
-#include "experiments/studies/fig_09.h"
 #include "experiments/studies/fig_06.h"
 #include "experiments/studies/fig_07.h"
+#include "experiments/studies/fig_09.h"
 #include "experiments/studies/fig_11.h"
 #include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
@@ -97,10 +99,10 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<Fig04Options>("fig_04", "scans of a corridor by each way of matching", RunFig04),
       MakeStudy<Fig05Options>(
           "fig_05", "the edge points and reduced points of a scan beside all of its points", RunFig05),
-      MakeStudy<Fig09Options>("fig_09", "paths of the controller to one pose from many", CheckFig09,
-                              RunFig09),
       MakeStudy<Fig06Options>("fig_06", "one step of planning, from points to the next view", RunFig06),
       MakeStudy<Fig07Options>("fig_07", "two labelled polygons and their union", RunFig07),
+      MakeStudy<Fig09Options>("fig_09", "paths of the controller to one pose from many", CheckFig09,
+                              RunFig09),
       MakeStudy<Fig11Options>("fig_11", "the octree of a scan at several depths", RunFig11),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
@@ -110,7 +112,13 @@ const std::vector<Study>& AllStudies() {
           [](const AblationFeaturesOptions&) {}, RunAblationFeatures),
       MakeStudy<AblationGraphOptions>("ablation_graph",
                                       "pose graphs with wrong closures, from other starts, of other sizes",
-                                      CheckAblationGraph, RunAblationGraph)};
+                                      CheckAblationGraph, RunAblationGraph),
+      MakeStudy<AblationNbvOptions>("ablation_nbv",
+                                    "policies and parameters of the view planner, on known floors",
+                                    CheckAblationNbv, RunAblationNbv),
+      MakeStudy<AblationNbv3dOptions>("ablation_nbv_3d",
+                                      "view planners in buildings, with 3D scans and registration",
+                                      CheckAblationNbv3d, RunAblationNbv3d)};
   return kStudies;
 }
 

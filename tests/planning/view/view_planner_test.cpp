@@ -1,0 +1,197 @@
+#include "planning/view/view_planner.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <numbers>
+
+#include "planning/path/geodesic.h"
+#include "slam/geometry/angles.h"
+#include "tests/support/error_of.h"
+
+namespace ariadne::planning {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Two rooms of 6 x 4 m side by side, with a door of 1 m between them, and open to the right: there the
+/// boundary is unseen.
+std::vector<LabelledPolygon> TwoRooms() {
+  const LabelledRing outer{{{0.0, 0.0}, true},  {{6.0, 0.0}, true}, {{6.0, 1.5}, true},
+                           {{6.2, 1.5}, true},  {{6.2, 0.0}, true}, {{12.0, 0.0}, false},
+                           {{12.0, 4.0}, true}, {{6.2, 4.0}, true}, {{6.2, 2.5}, true},
+                           {{6.0, 2.5}, true},  {{6.0, 4.0}, true}, {{0.0, 4.0}, true}};
+  return {{outer, {}}};
+}
+
+const slam::Pose2 kInTheLeftRoom{0.0, {2.0, 2.0}};
+
+std::vector<LabelledPolygon> MovedBy(const slam::Pose2& T_a_b, std::vector<LabelledPolygon> area) {
+  for (LabelledPolygon& polygon : area) {
+    for (LabelledCorner& corner : polygon.outer) corner.p_map = T_a_b * corner.p_map;
+  }
+  return area;
+}
+
+ViewPlannerOptions OfPolicy(ViewPolicy policy) {
+  ViewPlannerOptions options;
+  options.policy = policy;
+  return options;
+}
+
+TEST(ViewPlanner, GoesWhereSomethingIsUnseen) {
+  for (const auto policy :
+       {ViewPolicy::kExponential, ViewPolicy::kGain, ViewPolicy::kRandom, ViewPolicy::kNearestFrontier,
+        ViewPolicy::kPotentialArea, ViewPolicy::kTwoSteps}) {
+    SCOPED_TRACE(EnumNames<ViewPolicy>::value[static_cast<std::size_t>(policy)]);
+    const ViewPlan plan = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 1);
+    ASSERT_EQ(plan.status, NextViewStatus::kFound);
+    const View& view = plan.views[*plan.chosen];
+    EXPECT_GE(view.gain, 5);
+    EXPECT_LT(std::abs(slam::WrapAngle(view.direction)), 1.6) << "towards the open side";
+    ASSERT_GE(plan.path_map.size(), 2u);
+    EXPECT_EQ(plan.path_map.front(), kInTheLeftRoom.translation);
+    EXPECT_EQ(plan.path_map.back(), view.p_map);
+    EXPECT_LE(LengthOf(plan.path_map), view.distance + 1e-9);
+  }
+}
+
+TEST(ViewPlanner, MeasuresWaysAsItIsTold) {
+  ViewPlannerOptions options;
+  const auto distances = [&] {
+    std::vector<double> values;
+    for (const View& view : PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).views) {
+      values.push_back(view.distance);
+    }
+    return values;
+  };
+  const std::vector<double> geodesic = distances();
+  options.way = WayLength::kStraight;
+  const std::vector<double> straight = distances();
+  options.way = WayLength::kRoadmap;
+  const std::vector<double> roadmap = distances();
+  ASSERT_EQ(geodesic.size(), 200u);
+  for (std::size_t i = 0; i < geodesic.size(); ++i) {
+    EXPECT_GE(geodesic[i], straight[i] - 1e-9);
+    EXPECT_GE(roadmap[i], straight[i] - 1e-9);
+    EXPECT_LT(geodesic[i], 1.1 * roadmap[i] + 0.5) << "the raster's error and the roadmap's detours";
+  }
+  const ViewPlan by_cost =
+      PlanNextView(TwoRooms(), kInTheLeftRoom, {}, 1, {},
+                   [](std::span<const Vector2d> path, const View&) { return path.back().x(); });
+  for (const View& view : by_cost.views) EXPECT_EQ(view.distance, view.p_map.x());
+}
+
+TEST(ViewPlanner, OnlyJudgesPlacesWithRoomForTheRobot) {
+  ViewPlannerOptions options;
+  options.robot_radius = 0.45;  // the door is 1 m wide
+  EXPECT_EQ(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).status, NextViewStatus::kFound);
+  options.robot_radius = 0.6;
+  for (const View& view : PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).views) {
+    EXPECT_LT(view.p_map.x(), 5.7) << "the robot does not pass the door";
+    EXPECT_GT(view.p_map.y(), 0.6 - 1e-3);
+  }
+}
+
+TEST(ViewPlanner, TakesASecondLookBeforeItEnds) {
+  // Only the last 30 cm of a long niche are unseen: no candidate of ten looks into it.
+  const LabelledRing outer{{{0.0, 0.0}, true},  {{6.0, 0.0}, true},   {{6.0, 0.7}, true},
+                           {{14.0, 0.7}, true}, {{14.0, 1.7}, false}, {{13.3, 1.7}, true},
+                           {{6.0, 1.7}, true},  {{6.0, 4.0}, true},   {{0.0, 4.0}, true}};
+  ViewPlannerOptions options;
+  options.candidates.count = 3;
+  options.view.min_gain = 40;
+  const ViewPlan second =
+      PlanNextView(std::vector<LabelledPolygon>{{outer, {}}}, kInTheLeftRoom, options, 1);
+  ASSERT_EQ(second.status, NextViewStatus::kFound);
+  EXPECT_TRUE(second.second_look);
+  EXPECT_GT(second.views[*second.chosen].p_map.x(), 12.0);
+  options.second_look = 0;
+  EXPECT_EQ(PlanNextView(std::vector<LabelledPolygon>{{outer, {}}}, kInTheLeftRoom, options, 1).status,
+            NextViewStatus::kNoGain);
+}
+
+TEST(ViewPlanner, EndsWhereAllIsSeen) {
+  std::vector<LabelledPolygon> area = TwoRooms();
+  for (LabelledCorner& corner : area[0].outer) corner.seen = true;
+  EXPECT_EQ(PlanNextView(area, kInTheLeftRoom, {}, 1).status, NextViewStatus::kNoGain);
+  EXPECT_EQ(PlanNextView(area, {0.0, {50.0, 50.0}}, {}, 1).status, NextViewStatus::kNoCandidates)
+      << "not in the area";
+  EXPECT_EQ(PlanNextView({}, kInTheLeftRoom, {}, 1).status, NextViewStatus::kNoCandidates);
+}
+
+TEST(ViewPlanner, LooksInVainOnlyFromEverNearer) {
+  std::vector<slam::Pose2> scans{{0.0, {11.4, 0.5}}, {0.0, {11.4, 2.0}}, {0.0, {11.4, 3.5}}};
+  EXPECT_EQ(PlanNextView(TwoRooms(), scans[0], {}, 1, scans).status, NextViewStatus::kNoGain);
+  scans = {{std::numbers::pi, {11.4, 2.0}}};  // looks the other way
+  EXPECT_EQ(PlanNextView(TwoRooms(), scans[0], {}, 1, scans).status, NextViewStatus::kFound);
+  scans[0] = {0.0, {6.5, 2.0}};
+  const ViewPlan nearer = PlanNextView(TwoRooms(), scans[0], {}, 1, scans);
+  ASSERT_TRUE(nearer.chosen);
+  EXPECT_GT(nearer.views[*nearer.chosen].p_map.x(), 9.0) << "half of 5.5 m before the open side";
+}
+
+TEST(ViewPlanner, RefusesViewsWithoutOverlap) {
+  ViewPlannerOptions options;
+  options.min_overlap = 0.4;
+  const ViewPlan plan = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  ASSERT_TRUE(plan.chosen);
+  EXPECT_GE(plan.views[*plan.chosen].overlap, 0.4);
+  options.min_overlap = 1.0;
+  EXPECT_EQ(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).status, NextViewStatus::kNoGain);
+}
+
+TEST(ViewPlanner, OfThePaperStaysNear) {
+  const ViewPlan paper = PlanNextView(TwoRooms(), kInTheLeftRoom, PaperViewPlannerOptions(), 1);
+  const ViewPlan calibrated = PlanNextView(TwoRooms(), kInTheLeftRoom, {}, 1);
+  ASSERT_TRUE(paper.chosen && calibrated.chosen);
+  EXPECT_LT(paper.views[*paper.chosen].distance, 1.0);
+  EXPECT_GT(calibrated.views[*calibrated.chosen].distance, 1.5);
+}
+
+TEST(ViewPlanner, RepeatsItself) {
+  for (const auto policy : {ViewPolicy::kExponential, ViewPolicy::kRandom, ViewPolicy::kTwoSteps}) {
+    const ViewPlan first = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 7);
+    for (int k = 0; k < 34; ++k) {
+      const ViewPlan again = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 7);
+      ASSERT_EQ(again.chosen, first.chosen);
+      ASSERT_EQ(again.views.size(), first.views.size());
+      for (std::size_t i = 0; i < first.views.size(); ++i) {
+        ASSERT_EQ(again.views[i].p_map, first.views[i].p_map);
+        ASSERT_EQ(again.views[i].value, first.views[i].value);
+      }
+    }
+  }
+}
+
+TEST(ViewPlanner, FindsFrontiersInAnyFrame) {
+  const slam::Pose2 T_new_map{1.1, {40.0, -3.0}};
+  const auto options = OfPolicy(ViewPolicy::kNearestFrontier);
+  const ViewPlan here = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  const ViewPlan there =
+      PlanNextView(MovedBy(T_new_map, TwoRooms()), T_new_map * kInTheLeftRoom, options, 1);
+  ASSERT_TRUE(here.chosen && there.chosen);
+  EXPECT_LT((T_new_map * here.views[*here.chosen].p_map - there.views[*there.chosen].p_map).norm(), 0.8);
+}
+
+TEST(ViewPlanner, RefusesWhatIsNoPlace) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(ErrorOf([&] { PlanNextView(TwoRooms(), {0.0, {nan, 0.0}}, {}, 1); }), testing::Ne(""));
+  EXPECT_THAT(ErrorOf([&] {
+                PlanNextView(TwoRooms(), {nan, {2.0, 2.0}}, {}, 1);
+              }),
+              testing::HasSubstr("heading"));
+  std::vector<LabelledPolygon> area = TwoRooms();
+  area[0].outer[3].p_map.y() = nan;
+  EXPECT_THAT(ErrorOf([&] { PlanNextView(area, kInTheLeftRoom, {}, 1); }), testing::HasSubstr("no place"));
+  ViewPlannerOptions options;
+  options.robot_radius = -1.0;
+  EXPECT_THAT(ErrorOf([&] { PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1); }),
+              testing::HasSubstr("planner.robot_radius"));
+}
+
+}  // namespace
+}  // namespace ariadne::planning
