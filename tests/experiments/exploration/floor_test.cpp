@@ -31,7 +31,7 @@ Floor TwoRoomFloor() { return CutFloor(TwoRoomPlan(), 1.5); }
 double RangeOf(const Floor& floor, const Vector2d& from, double bearing) {
   const Vector2d u(std::cos(bearing), std::sin(bearing));
   double range = 1e9;
-  for (const FloorFace& face : floor.faces) {
+  for (const FloorWall& face : floor.faces) {
     const Vector2d a = face.from - from, e = face.to - face.from;
     const double across = u.x() * e.y() - u.y() * e.x();
     if (std::abs(across) < 1e-12) continue;
@@ -122,7 +122,7 @@ TEST(Explore, SeesAllAndEndsAndIsNoBetterThanTheBound) {
 TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
   // A gap in the wall behind which there is nothing at all: it would promise the same gain for ever.
   Floor floor = TwoRoomFloor();
-  std::erase_if(floor.faces, [](const FloorFace& f) { return std::min(f.from.x(), f.to.x()) > 11.0; });
+  std::erase_if(floor.faces, [](const FloorWall& f) { return std::min(f.from.x(), f.to.x()) > 11.0; });
   const std::vector<Vector2d> reachable = [&] {
     std::vector<Vector2d> within = ReachableFloor(TwoRoomFloor(), {});
     return within;
