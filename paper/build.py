@@ -152,6 +152,16 @@ def features(values, real_data, experiments):
         (BUILD / f"table_{name}.tex").write_text(tables.features(v.read_csv(run / f"{name}.csv"), name))
 
 
+def views(values, experiments):
+    say("next best views on all floor plans (takes an hour)")
+    for name in ("fig_06", "fig_07"):
+        shutil.copyfile(experiments.run(name) / "figures" / f"{name}.png", BUILD / f"{name}.png")
+    run = experiments.run("ablation_nbv", sets=("studies=policies, samplers, ways", "seeds=4", "study_seeds=2"))
+    v.add_options(values, "nbv", run)
+    v.add_views(values, "nbv", run)
+    (BUILD / "table_nbv.tex").write_text(tables.views(v.read_csv(run / "policies.csv")))
+
+
 def loop(values, experiments):
     say("matching on a simulated loop over many tours (takes a quarter of an hour)")
     matching(values, "loop", experiments.run("ablation_matching_loop"))
@@ -270,6 +280,8 @@ def main():
             if real_data:
                 loop(values, experiments)
             graphs(values, real_data, experiments)
+            if real_data:
+                views(values, experiments)
         finally:
             experiments.save_records()
     except RunError as error:

@@ -152,3 +152,11 @@ def features(rows, first):
     cells = [[row[c].replace("_", " ").removesuffix(".clf.bz2") for c in columns] for row in rows]
     return tabular("@{}" + "l" * len(texts) + "r" * (len(columns) - len(texts)) + "@{}",
                    [" & ".join(FEATURE_HEADS[c] for c in columns) + r" \\"], [cells])
+
+
+def views(rows):
+    """The policies of ablation_nbv."""
+    columns = ("policies", "scans / fewest", "way / tour", "reached %", "ended %", "covered %", "least %")
+    heads = ("policy", "scans / fewest", "way / tour", r"reached [\%]", r"ended [\%]", r"seen [\%]", r"least [\%]")
+    return tabular("l" + "r" * (len(columns) - 1), [" & ".join(heads) + r" \\"],
+                   [[[row[c].replace("_", " ") for c in columns] for row in rows]])

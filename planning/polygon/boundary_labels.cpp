@@ -23,6 +23,11 @@ struct Beside {
 /// Where the edge from p along the unit vector runs beside another, up to `distance` from it.
 std::optional<Beside> RunBeside(const Eigen::Vector2d& p, const Eigen::Vector2d& along, double length,
                                 const DirectedEdge& edge, double distance, double max_slope) {
+  const Eigen::Vector2d q = p + length * along;
+  if (std::max(edge.from.x(), edge.to.x()) + distance < std::min(p.x(), q.x()) ||
+      std::min(edge.from.x(), edge.to.x()) - distance > std::max(p.x(), q.x())) {
+    return {};  // most edges
+  }
   const double begin = along.dot(edge.from - p);
   const double end = along.dot(edge.to - p);
   if (begin >= end || begin >= length || end <= 0.0) return {};

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 #include "planning/path/geodesic.h"
 #include "planning/view/frontier_places.h"
 #include "planning/view/looked_at.h"
 #include "planning/view/view_policy.h"
+#include "slam/base/random.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::planning {
@@ -76,9 +78,12 @@ class Decision {
         way_cost_(way_cost) {}
 
   std::vector<Eigen::Vector2d> DrawPlaces() const;
+  /// Uniformly from a disc.
+  std::vector<Eigen::Vector2d> DrawAround(const Eigen::Vector2d& center) const;
   /// Those of the places that the robot can get to, up to a number.
   std::vector<Eigen::Vector2d> Reachable(std::span<const Eigen::Vector2d> places, int count) const;
   Judged Judge(std::span<const Eigen::Vector2d> places) const;
+  void JudgeMore(std::span<const Eigen::Vector2d> places, Judged& judged) const;
   /// Among the judged views, where any is worth a stop.
   std::optional<std::size_t> Choose(const Judged& judged) const;
 
@@ -105,6 +110,17 @@ std::vector<Eigen::Vector2d> Decision::DrawPlaces() const {
   CandidateOptions more = options_.candidates;
   more.count *= 3;  // some keep too little distance from walls, or cannot be reached
   return DrawCandidates(scene_.area, scene_.edges, more, seed_);
+}
+
+std::vector<Eigen::Vector2d> Decision::DrawAround(const Eigen::Vector2d& center) const {
+  RandomStream stream = NamedStream(seed_, "view/refine");
+  std::vector<Eigen::Vector2d> places;
+  for (int i = 0; i < options_.refined; ++i) {
+    const double radius = options_.refine_radius * std::sqrt(DrawUniform(stream, 0.0, 1.0));
+    const double bearing = DrawUniform(stream, -std::numbers::pi, std::numbers::pi);
+    places.push_back(center + radius * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)));
+  }
+  return places;
 }
 
 std::vector<Eigen::Vector2d> Decision::Reachable(std::span<const Eigen::Vector2d> places, int count) const {
@@ -159,15 +175,19 @@ View Decision::Look(const Eigen::Vector2d& p_map, double way, std::span<const Ra
 }
 
 Judged Decision::Judge(std::span<const Eigen::Vector2d> places) const {
-  const std::vector<double> ways = Ways(places);
   Judged judged;
+  JudgeMore(places, judged);
+  return judged;
+}
+
+void Decision::JudgeMore(std::span<const Eigen::Vector2d> places, Judged& judged) const {
+  const std::vector<double> ways = Ways(places);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const std::vector<RayHit> hits = Cast(places[i]);
     judged.views.push_back(Look(places[i], ways[i], hits));
     if (!LooksAhead(options_.policy)) continue;
     judged.pieces.push_back(PiecesOf(scene_, judged.views.back(), hits, options_.piece, judged.numbers));
   }
-  return judged;
 }
 
 std::optional<std::size_t> Decision::Choose(const Judged& judged) const {
@@ -195,6 +215,7 @@ ViewPlannerOptions PaperViewPlannerOptions() {
   options.way = WayLength::kStraight;
   options.second_look = 0;
   options.look_again = 1000.0;
+  options.refined = 0;
   options.view = PaperNextViewOptions();
   return options;
 }
@@ -226,6 +247,11 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
   if (!by_frontier) {
     judged = decision.Judge(decision.Reachable(decision.DrawPlaces(), options.candidates.count));
     plan.chosen = decision.Choose(judged);
+    if (plan.chosen && options.refined > 0 && options.policy != ViewPolicy::kRandom) {
+      const auto around = decision.DrawAround(judged.views[*plan.chosen].p_map);
+      decision.JudgeMore(decision.Reachable(around, options.refined), judged);
+      plan.chosen = decision.Choose(judged);
+    }
   }
   if (!plan.chosen && (by_frontier || options.second_look > 0)) {
     plan.second_look = !by_frontier;

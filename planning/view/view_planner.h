@@ -41,6 +41,8 @@ struct ViewPlannerOptions {
   int second_look = 1000;
   double piece = 0.5;
   double look_again = 0.5;
+  int refined = 60;
+  double refine_radius = 3.0;
   FreeSpaceOptions free_space;
   CandidateSampler sampler = CandidateSampler::kUniform;
   CandidateOptions candidates;
@@ -68,6 +70,10 @@ struct ViewPlannerOptions {
           "that "
           "it counts again. Windows and halls wider than the range promise the same gain for ever; 1000: "
           "always, as the paper has no such rule");
+    visit("refined", self.refined, Unit(""), Range{0, 100000},
+          "further candidates around the chosen one, of which the best is taken: a step to the side in a "
+          "doorway shows a whole room. The paper has none (0)");
+    visit("refine_radius", self.refine_radius, Unit("m"), Range{0.01, 100.0}, "around the chosen one");
     visit("free_space", self.free_space, "the raster on which ways are found");
     visit("sampler", self.sampler,
           "where candidates come from; uniform is the paper's, the others are OMPL's");
