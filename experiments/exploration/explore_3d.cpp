@@ -195,7 +195,7 @@ planning::ViewPlannerOptions RobotPlannerOptions() {
   options.robot_radius = 0.35;
   options.free_space.resolution = 0.05;
   options.candidates.wall_clearance = 0.5;
-  options.min_overlap = 0.3;
+  options.min_overlap = 0.2;
   return options;
 }
 

@@ -12,7 +12,7 @@ struct ScanLoopAreaOptions {
   planning::ScanPolygonOptions polygon;
   planning::LabelledUnionOptions united;
   double max_gap = 10.0;
-  double stand_radius = 0.4;
+  double stand_radius = 0.5;
   double obstacle_radius = 0.1;
 
   template <typename Self, typename Visitor>
@@ -23,9 +23,11 @@ struct ScanLoopAreaOptions {
           "between bearings at which a scan shows something at the height, to be joined by one edge. Where "
           "a thing lower than the slice hides the wall behind it, that edge may cut through walls, and a "
           "union never takes back what was free; so nothing is free in wider gaps. 360: the paper's (4.2)");
-    visit("stand_radius", self.stand_radius, Unit("m"), Range{0.05, 5.0},
-          "free around the robot's middle and its scanner where it has stood, but not beyond walls that it "
-          "has seen: the radius that ways keep, and a cell");
+    visit(
+        "stand_radius", self.stand_radius, Unit("m"), Range{0.05, 5.0},
+        "free around the robot's middle and its scanner where it has stood, but not beyond walls that it "
+        "has seen: half its diagonal, in which it has turned. With less, the way from there into what the "
+        "scan shows is too narrow: near its sides it sees nothing as high as 1.5 m");
     visit("obstacle_radius", self.obstacle_radius, Unit("m"), Range{0.02, 1.0},
           "taken away around a place where the robot met something that no slice shows");
   }

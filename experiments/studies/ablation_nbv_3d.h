@@ -15,7 +15,7 @@ struct AblationNbv3dOptions {
       "builtin:robobench, builtin:entrance_hall, $ARIADNE_DATA/plans/school_borchen4_updated.json, "
       "$ARIADNE_DATA/plans/school_franch1_updated.json, $ARIADNE_DATA/plans/school_sabadell3_updated.json, "
       "$ARIADNE_DATA/plans/school_liselotte1_updated.json";
-  std::string planners = "default, paper, gain, nearest_frontier";
+  std::string planners = "default, paper, gain";
   std::string overlaps = "";
   std::string slices = "";
   int seeds = 1;
