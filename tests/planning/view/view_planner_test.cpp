@@ -61,6 +61,7 @@ TEST(ViewPlanner, GoesWhereSomethingIsUnseen) {
 
 TEST(ViewPlanner, MeasuresWaysAsItIsTold) {
   ViewPlannerOptions options;
+  options.refined = 0;  // the same places, whichever is chosen
   const auto distances = [&] {
     std::vector<double> values;
     for (const View& view : PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).views) {
@@ -132,6 +133,20 @@ TEST(ViewPlanner, LooksInVainOnlyFromEverNearer) {
   const ViewPlan nearer = PlanNextView(TwoRooms(), scans[0], {}, 1, scans);
   ASSERT_TRUE(nearer.chosen);
   EXPECT_GT(nearer.views[*nearer.chosen].p_map.x(), 9.0) << "half of 5.5 m before the open side";
+}
+
+TEST(ViewPlanner, LooksAgainAroundTheChosenOne) {
+  ViewPlannerOptions options;
+  const ViewPlan refined = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  options.refined = 0;
+  const ViewPlan plain = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  ASSERT_TRUE(plain.chosen && refined.chosen);
+  EXPECT_GT(refined.views.size(), plain.views.size());
+  EXPECT_GE(refined.views[*refined.chosen].value, plain.views[*plain.chosen].value);
+  for (std::size_t i = plain.views.size(); i < refined.views.size(); ++i) {
+    EXPECT_LE((refined.views[i].p_map - plain.views[*plain.chosen].p_map).norm(),
+              options.refine_radius + 1e-9);
+  }
 }
 
 TEST(ViewPlanner, RefusesViewsWithoutOverlap) {
