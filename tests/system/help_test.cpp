@@ -55,7 +55,7 @@ TEST_F(ConfigCommand, PrintsThatOfEachExperiment) {
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err,
               testing::StartsWith("ariadne: there is no experiment 'table_2'; there are register, "
-                                  "optimize, posegraph_benchmark, extract, map, simulate, table_1, "));
+                                  "optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
 }
 
 }  // namespace

@@ -76,8 +76,8 @@ TEST(FindStudy, NamesThoseThatThereAre) {
   EXPECT_EQ(
       ErrorOf([] { FindStudy("table_2"); }),
       "there is no experiment 'table_2'; there are register, optimize, posegraph_benchmark, extract, map, "
-      "simulate, table_1, fig_02, fig_03, fig_04, fig_05, fig_09, fig_11, ablation_matching, "
-      "ablation_features, ablation_graph");
+      "plan, simulate, table_1, fig_02, fig_03, fig_04, fig_05, fig_06, fig_07, fig_09, fig_11, "
+      "ablation_matching, ablation_features, ablation_graph, ablation_nbv, ablation_nbv_3d");
   EXPECT_THAT(ErrorOf([] { FindStudy("", "my.yaml:1"); }), testing::StartsWith("my.yaml:1: there is no"));
 }
 
