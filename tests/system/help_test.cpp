@@ -53,9 +53,9 @@ TEST_F(ConfigCommand, PrintsThatOfEachExperiment) {
   EXPECT_THAT(Must("config table_1 --describe"), HasSubstr("\nrepeats = 5\n"));
   const Ended unknown = Ariadne("config table_2");
   EXPECT_EQ(unknown.status, 1);
-  EXPECT_THAT(unknown.err,
-              testing::StartsWith("ariadne: there is no experiment 'table_2'; there are register, "
-                                  "optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
+  EXPECT_THAT(unknown.err, testing::StartsWith(
+                               "ariadne: there is no experiment 'table_2'; there are register, "
+                               "optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
 }
 
 }  // namespace
