@@ -37,7 +37,7 @@ OsiClpSolverInterface CoverProgram(const ReducedCover& problem) {
     if (problem.Mandatory(e)) lower_y[e] = 1.0;
   }
   rows.appendRow(weights);
-  const auto columns = static_cast<std::size_t>(sets + elements);
+  const auto columns = static_cast<std::size_t>(sets) + static_cast<std::size_t>(elements);
   std::vector<double> lower(columns, 0.0), upper(columns, 1.0), cost(columns, 0.0);
   std::copy(lower_y.begin(), lower_y.end(), lower.begin() + sets);
   std::fill(cost.begin(), cost.begin() + sets, 1.0);

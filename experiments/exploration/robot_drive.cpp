@@ -158,7 +158,7 @@ DriveOutcome DriveTowards(const DrivenRobot& driven, const Eigen::Vector2d& goal
   for (int turn = 0; turn < 2; ++turn) {  // once more after strokes, which have moved the robot
     const Eigen::Vector2d ahead = goal_map - driven.T_map_base().translation;
     if (ahead.norm() < kArrived) return {};
-    const DriveOutcome turned = TurnTowards(driven, std::atan2(ahead.y(), ahead.x()));
+    DriveOutcome turned = TurnTowards(driven, std::atan2(ahead.y(), ahead.x()));
     if (turned.blocked) return turned;
   }
   const Eigen::Vector2d ahead = (goal_map - driven.T_map_base().translation).normalized();
@@ -171,7 +171,7 @@ DriveOutcome DriveWay(drivers::Robot& robot, const slam::Pose2& T_map_odom,
                       std::span<const Eigen::Vector2d> way_map, double heading_map) {
   const DrivenRobot driven{robot, T_map_odom};
   for (const Eigen::Vector2d& place : way_map) {
-    const DriveOutcome outcome = DriveTowards(driven, place);
+    DriveOutcome outcome = DriveTowards(driven, place);
     if (outcome.blocked) return outcome;
   }
   return TurnTowards(driven, heading_map);

@@ -150,7 +150,7 @@ std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory
     progress.Keep(fmt::format("{}: {} explorations, at least {} views", floor.floor.name, tasks.size(),
                               floor.bound.lower_bound));
   }
-  const std::string text = Report(options, trials, floors, run);
+  std::string text = Report(options, trials, floors, run);
   FinishRun(run, "Next best views: policies and parameters", worlds.size());
   return text;
 }

@@ -16,8 +16,8 @@ struct AblationNbv3dOptions {
       "$ARIADNE_DATA/plans/school_franch1_updated.json, $ARIADNE_DATA/plans/school_sabadell3_updated.json, "
       "$ARIADNE_DATA/plans/school_liselotte1_updated.json";
   std::string planners = "default, paper, gain";
-  std::string overlaps = "";
-  std::string slices = "";
+  std::string overlaps;
+  std::string slices;
   int seeds = 1;
   double target = 0.95;
   int threads = 2;

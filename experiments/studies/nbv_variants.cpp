@@ -99,7 +99,7 @@ const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
        }},
       {"c2",
        [](const ExploreOptions& base) {
-         return Numbers<double>("c2", base, {0.0, 0.002, 0.005, 0.01, 0.02},
+         return Numbers<double>("c2", base, {0.0, 0.001, 0.002, 0.005, 0.01},
                                 [](ExploreOptions& e, double c) { e.planner.view.angle_weight = c; });
        }},
       {"field_of_view",

@@ -41,7 +41,7 @@ struct ViewPlannerOptions {
   int second_look = 1000;
   double piece = 0.5;
   double look_again = 0.5;
-  int refined = 60;
+  int refined = 200;
   double refine_radius = 3.0;
   FreeSpaceOptions free_space;
   CandidateSampler sampler = CandidateSampler::kUniform;
