@@ -151,7 +151,7 @@ ob::SpaceInformationPtr PlaneOfDisc(const FreeSpace& space, double radius, std::
         return std::make_shared<PlaneSampler>(state_space,
                                               NamedStream(seed, fmt::format("ompl/plane/{}", (*made)++)));
       });
-  const auto info = std::make_shared<ob::SpaceInformation>(plane);
+  auto info = std::make_shared<ob::SpaceInformation>(plane);
   info->setStateValidityChecker(std::make_shared<DiscChecker>(info, space, radius));
   info->setMotionValidator(std::make_shared<DiscMotions>(info, space, radius));
   info->setup();

@@ -100,7 +100,7 @@ Roadmap BuildRoadmap(const FreeSpace& space, double radius, const RoadmapOptions
   const internal::OmplSilence silence;
   const ob::SpaceInformationPtr info = internal::PlaneOfDisc(space, radius, seed);
   info->setValidStateSamplerAllocator([](const ob::SpaceInformation* of) {
-    const auto sampler = std::make_shared<ob::UniformValidStateSampler>(of);
+    auto sampler = std::make_shared<ob::UniformValidStateSampler>(of);
     sampler->setNrAttempts(1);  // counted here
     return sampler;
   });
