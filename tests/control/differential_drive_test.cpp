@@ -86,7 +86,7 @@ TEST(DifferentialDrive, HasTheJacobianOfItsDifferences) {
 TEST(DifferentialDrive, HasNoJumpOfTheJacobianAtTheThreshold) {
   const auto at = [](double turn) { return RollArcJacobian(WheelsOf(0.7, turn, kTrack), kTrack); };
   for (const double threshold : {1e-3, 0.02}) {
-    const auto jump = at(threshold * (1.0 + 1e-14)) - at(threshold * (1.0 - 1e-14));
+    const Eigen::Matrix<double, 3, 2> jump = at(threshold * (1.0 + 1e-14)) - at(threshold * (1.0 - 1e-14));
     EXPECT_LT(jump.cwiseAbs().maxCoeff(), 2e-14);
   }
 }
