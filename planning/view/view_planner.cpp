@@ -15,6 +15,8 @@
 namespace ariadne::planning {
 namespace {
 
+constexpr double kSamePlaceAsRobot = 0.5;  // [m]
+
 /// What one decision looks at.
 struct Scene {
   std::vector<slam::Polygon2> area;
@@ -207,6 +209,25 @@ std::optional<std::size_t> Decision::Choose(const Judged& judged) const {
   return ChooseView(choice, options_, seed_);
 }
 
+/// Whether the robot has scanned from where it stands, but not behind itself.
+bool LooksOneWayOnly(const slam::Pose2& T_map_robot, std::span<const slam::Pose2> T_map_scans) {
+  bool ahead = false, behind = false;
+  for (const slam::Pose2& T_map_scan : T_map_scans) {
+    if ((T_map_scan.translation - T_map_robot.translation).norm() > kSamePlaceAsRobot) continue;
+    const double turn = std::abs(slam::WrapAngle(T_map_scan.angle - T_map_robot.angle));
+    (turn < 0.5 * std::numbers::pi ? ahead : behind) = true;
+  }
+  return ahead && !behind;
+}
+
+View AboutTurn(const slam::Pose2& T_map_robot) {
+  View view;
+  view.p_map = T_map_robot.translation;
+  view.direction = slam::WrapAngle(T_map_robot.angle + std::numbers::pi);
+  view.turn = std::numbers::pi;
+  return view;
+}
+
 }  // namespace
 
 ViewPlannerOptions PaperViewPlannerOptions() {
@@ -262,8 +283,15 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
     if (plan.chosen || judged.views.empty()) judged = std::move(before_edges);
   }
   plan.views = std::move(judged.views);
+  if (plan.views.empty() && options.second_look > 0 && LooksOneWayOnly(T_map_robot, T_map_scans)) {
+    plan.views.push_back(AboutTurn(T_map_robot));
+    plan.chosen = 0;
+    plan.path_map = {T_map_robot.translation};
+  }
   if (!plan.views.empty()) plan.status = plan.chosen ? NextViewStatus::kFound : NextViewStatus::kNoGain;
-  if (plan.chosen) plan.path_map = scene.ways.PathTo(plan.views[*plan.chosen].p_map);
+  if (plan.chosen && plan.path_map.empty()) {
+    plan.path_map = scene.ways.PathTo(plan.views[*plan.chosen].p_map);
+  }
   return plan;
 }
 

@@ -100,7 +100,8 @@ struct ViewPlan {
 /// Error for corners or a pose that are not finite.
 ///
 /// kNoGain, the end of an exploration: neither a candidate nor a place before an unseen edge that the
-/// robot can reach has min_gain rays (and min_overlap). kNoCandidates: the robot cannot move.
+/// robot can reach has min_gain rays (and min_overlap). kNoCandidates: the robot cannot move, and has
+/// scanned to both sides; before that, close before a wall, it turns about.
 ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
                       const ViewPlannerOptions& options, std::uint64_t seed,
                       std::span<const slam::Pose2> T_map_scans = {}, const WayCost& way_cost = {});

@@ -135,6 +135,19 @@ TEST(ViewPlanner, LooksInVainOnlyFromEverNearer) {
   EXPECT_GT(nearer.views[*nearer.chosen].p_map.x(), 9.0) << "half of 5.5 m before the open side";
 }
 
+TEST(ViewPlanner, TurnsAboutBeforeAWall) {
+  // All that a robot knows that looks at a wall 40 cm before it: no room to go anywhere.
+  const LabelledRing strip{
+      {{0.0, -1.0}, false}, {{0.4, -1.0}, true}, {{0.4, 1.0}, false}, {{0.0, 1.0}, false}};
+  const std::vector<LabelledPolygon> known{{strip, {}}};
+  const std::vector<slam::Pose2> one{{0.0, {0.0, 0.0}}}, both{{0.0, {0.0, 0.0}}, {3.1, {0.0, 0.0}}};
+  const ViewPlan about = PlanNextView(known, one[0], {}, 1, one);
+  ASSERT_EQ(about.status, NextViewStatus::kFound);
+  EXPECT_NEAR(std::abs(about.views[*about.chosen].direction), std::numbers::pi, 1e-12);
+  EXPECT_EQ(LengthOf(about.path_map), 0.0);
+  EXPECT_EQ(PlanNextView(known, one[0], {}, 1, both).status, NextViewStatus::kNoCandidates);
+}
+
 TEST(ViewPlanner, LooksAgainAroundTheChosenOne) {
   ViewPlannerOptions options;
   const ViewPlan refined = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
