@@ -16,6 +16,7 @@ import plots
 import png
 import tables
 import values as v
+import view_values
 from runs import Experiments, RunError, read_json
 
 PAPER = pathlib.Path(__file__).resolve().parent
@@ -158,7 +159,7 @@ def views(values, experiments):
         shutil.copyfile(experiments.run(name) / "figures" / f"{name}.png", BUILD / f"{name}.png")
     run = experiments.run("ablation_nbv", sets=("studies=policies, samplers, ways", "seeds=4", "study_seeds=2"))
     v.add_options(values, "nbv", run)
-    v.add_views(values, "nbv", run)
+    view_values.add_views(values, "nbv", run)
     (BUILD / "table_nbv.tex").write_text(tables.views(v.read_csv(run / "policies.csv")))
 
 

@@ -79,25 +79,6 @@ def add_options(values, name, run):
             values.set(".".join([name, *path]), option_text(value.strip().strip("'")))
 
 
-def add_views(values, name, run):
-    """What samplers and ways change, from the tables of ablation_nbv."""
-    values.set(f"{name}.floor_count", str(len(read_csv(run / "floors.csv"))))
-    samplers = [row for row in read_csv(run / "samplers.csv") if row["samplers"] != "uniform"]
-    samplers.sort(key=lambda row: float(row["scans, change %"].split()[0]))
-    for key, row in (("best", samplers[0]), ("worst", samplers[-1])):
-        values.set(f"{name}.samplers.{key}.name", row["samplers"].replace("_", " "))
-        values.set(f"{name}.samplers.{key}.change", signed(row["scans, change %"]))
-        values.set(f"{name}.samplers.{key}.p", row["p"])
-    for row in read_csv(run / "ways.csv"):
-        values.set(f"{name}.ways.{row['ways']}.change", signed(row["way, change %"]))
-        values.set(f"{name}.ways.{row['ways']}.p", row["p way"])
-
-
-def signed(text):
-    """Minus signs as mathematics has them."""
-    return re.sub(r"([+-])(\d)", r"$\1$\2", text)
-
-
 def option_text(value):
     """Powers of ten and names, as one sets them."""
     exponent = re.fullmatch(r"1e([+-]\d+)", value)

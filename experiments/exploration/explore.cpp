@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "control/simulate_approach.h"
 #include "planning/path/geodesic.h"
@@ -15,16 +14,6 @@ namespace {
 constexpr int kDiscCorners = 16;
 constexpr double kWithin = 0.01;  // of what was planned as free, so that no disc reaches through a wall [m]
 
-/// Where the robot stands is free, whether it has looked there or not.
-planning::LabelledPolygon Disc(const Eigen::Vector2d& center, double radius) {
-  planning::LabelledPolygon disc;
-  for (int i = 0; i < kDiscCorners; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / kDiscCorners;
-    disc.outer.push_back({center + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)), false});
-  }
-  return disc;
-}
-
 /// What the controller makes of a way: from corner to corner, each reached in the direction of the next.
 planning::WayCost CostByController(const slam::Pose2& T_map_robot, ExploreWay way) {
   if (way == ExploreWay::kPlanner) return {};
@@ -33,8 +22,11 @@ planning::WayCost CostByController(const slam::Pose2& T_map_robot, ExploreWay wa
     slam::Pose2 at = T_map_robot;
     double cost = 0.0;
     for (std::size_t i = 1; i < path_map.size(); ++i) {
-      const Eigen::Vector2d ahead = i + 1 < path_map.size() ? path_map[i + 1] - path_map[i] : path_map[i];
-      const double angle = i + 1 < path_map.size() ? std::atan2(ahead.y(), ahead.x()) : view.direction;
+      double angle = view.direction;
+      if (i + 1 < path_map.size()) {
+        const Eigen::Vector2d ahead = path_map[i + 1] - path_map[i];
+        angle = std::atan2(ahead.y(), ahead.x());
+      }
       const slam::Pose2 goal{angle, path_map[i]};
       if ((goal.translation - at.translation).norm() < options.goal_distance) continue;
       const control::ApproachCostResult leg = control::ApproachCost(at, goal, options);
@@ -93,7 +85,8 @@ Exploration Explore(const Floor& floor, const FloorCover& cover, const slam::Pos
     const FloorView view = ViewFloor(floor, step.T_map_scan, options.scanner);
     step.covered = covered.Add(view, options.scanner);
     exploration.steps.push_back(step);
-    exploration.area.push_back(Disc(step.T_map_scan.translation, options.planner.robot_radius - kWithin));
+    exploration.area.push_back(planning::UnseenDisc(step.T_map_scan.translation,
+                                                    options.planner.robot_radius - kWithin, kDiscCorners));
     exploration.area.push_back(view.polygon);
     exploration.area = planning::LabelledUnion(exploration.area, options.united);
     if (exploration.steps.size() >= static_cast<std::size_t>(options.max_scans)) return exploration;

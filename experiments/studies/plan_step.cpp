@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <numbers>
 
 #include "planning/polygon/row_crossings.h"
 #include "slam/base/error.h"
@@ -30,12 +29,7 @@ planning::LabelledPolygon StandAt(const Eigen::Vector2d& p_map,
     const double wall = planning::Distance(edge, p_map);
     if (edge.seen && wall > kOffWall) radius = std::min(radius, wall - 0.5 * kOffWall);
   }
-  planning::LabelledPolygon disc;
-  for (int i = 0; i < kCorners && radius > 0.0; ++i) {
-    const double bearing = 2.0 * std::numbers::pi * i / kCorners;
-    disc.outer.push_back({p_map + radius * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)), false});
-  }
-  return disc;
+  return planning::UnseenDisc(p_map, radius, kCorners);
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "planning/polygon/labelled_polygon.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 #include "slam/base/error.h"
 
@@ -79,6 +81,16 @@ slam::Polygon2 ToPolygon2(const LabelledPolygon& polygon) {
 double SeenLength(const LabelledPolygon& polygon) { return LengthOf(polygon, true); }
 
 double UnseenLength(const LabelledPolygon& polygon) { return LengthOf(polygon, false); }
+
+LabelledPolygon UnseenDisc(const Eigen::Vector2d& center_map, double radius, int corners) {
+  LabelledPolygon disc;
+  for (int i = 0; i < corners && radius > 0.0; ++i) {
+    const double bearing = 2.0 * std::numbers::pi * i / corners;
+    disc.outer.push_back(
+        {center_map + radius * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)), false});
+  }
+  return disc;
+}
 
 bool Contains(const LabelledPolygon& polygon, const Eigen::Vector2d& p_map) {
   return slam::Contains(ToPolygon2(polygon), p_map);

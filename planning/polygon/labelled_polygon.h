@@ -32,6 +32,10 @@ slam::Polygon2 ToPolygon2(const LabelledPolygon& polygon);
 double SeenLength(const LabelledPolygon& polygon);
 double UnseenLength(const LabelledPolygon& polygon);
 
+/// A disc, as the regular polygon within it, whose edges are unseen: where a robot stands is free, whether
+/// it has looked there or not. No radius [m]: an empty polygon.
+LabelledPolygon UnseenDisc(const Eigen::Vector2d& center_map, double radius, int corners);
+
 /// True within, and not within a hole.
 bool Contains(const LabelledPolygon& polygon, const Eigen::Vector2d& p_map);
 
