@@ -209,6 +209,7 @@ slam::MapperOptions RobotMapperOptions() {
   slam::MapperOptions options;
   options.registration.method = slam::MatchMethod::kGraph;
   options.icp.start_distance = options.icp.max_distance;
+  options.icp.one_sided = true;
   return options;
 }
 

@@ -4,27 +4,15 @@
 
 #include "slam/graph/factors/compressed_factors.h"
 #include "slam/registration/gauss_newton.h"
+#include "slam/registration/pair_filter.h"
 
 namespace ariadne::slam {
 namespace {
 
-const std::vector<SurfacePoint> kNoSurfaces;
-
 /// Two scans of a map as the plane metrics look at them.
 PlaneMetric MetricOf(const MapScan& model, const MapScan& data, const AlignOptions& options) {
-  const bool planes = options.metric == Metric::kPlaneToPlane;
-  return {model.tree_laser.points(), model.surfaces_laser, data.points_laser.positions,
-          planes ? data.surfaces_laser : kNoSurfaces};
-}
-
-/// Whether a pair counts at all: the metric has its normals, and the model does not end there.
-bool IsUsable(const MapScan& model, const MapScan& data, std::size_t i, std::uint32_t m,
-              const AlignOptions& options) {
-  if (m == kNoPoint) return false;
-  if (options.skip_boundary && model.surfaces_laser[m].boundary) return false;
-  if (options.metric == Metric::kPointToPoint) return true;
-  if (!model.surfaces_laser[m].has_normal()) return false;
-  return options.metric == Metric::kPointToPlane || data.surfaces_laser[i].has_normal();
+  return {model.tree_laser.points(), model.surfaces_laser, data.points_laser.positions, data.surfaces_laser,
+          options.metric};
 }
 
 }  // namespace
@@ -37,8 +25,7 @@ JointPair::JointPair(const MapScan& model, const MapScan& data, const AlignOptio
 
 std::size_t JointPair::CountOverlap(const Pose3& T_model_data) {
   const Correspondences& found = tracker_.Update(T_model_data, options_.max_distance, Parallel(1));
-  const auto unpaired = std::ranges::count(found.model_index, kNoPoint);
-  return found.model_index.size() - static_cast<std::size_t>(unpaired);
+  return CountPairs(found, model_, data_, T_model_data, options_.one_sided);
 }
 
 std::size_t JointPair::FindPairs(const Pose3& T_model_data) {
@@ -48,10 +35,11 @@ std::size_t JointPair::FindPairs(const Pose3& T_model_data) {
   pairs_.clear();
   std::vector<double> squared_residuals;
   const PlaneMetric metric = MetricOf(model_, data_, options_);
+  const PairFilter filter(model_.surfaces_laser, data_.surfaces_laser, T_model_data, options_);
   const Eigen::Matrix3d R_data_model = T_model_data.RotationMatrix().transpose();
   for (std::size_t i = 0; i < found.model_index.size(); ++i) {
     const std::uint32_t m = found.model_index[i];
-    if (!IsUsable(model_, data_, i, m, options_)) continue;
+    if (m == kNoPoint || !filter.Keeps(i, m)) continue;
     pairs_.push_back({static_cast<std::uint32_t>(i), m, 0.0});
     squared_residuals.push_back(options_.metric == Metric::kPointToPoint
                                     ? found.squared_distance[i]

@@ -77,8 +77,9 @@ std::vector<ClosureCandidate> ProposeClosures(const ScanMap& map, const MatchOpt
         TranslationDistance(map.scans[candidate.scan].T_map_laser, map.scans[last].T_map_laser);
     const double reach = match.graph.closure.reach;
     if (candidate.radius <= align.max_distance || distance - candidate.radius > reach) continue;
-    candidate.pairs = CountOverlap(map.scans[candidate.scan], map.scans[last],
-                                   align.max_distance + std::min(candidate.radius, reach), parallel);
+    candidate.pairs =
+        CountOverlap(map.scans[candidate.scan], map.scans[last],
+                     align.max_distance + std::min(candidate.radius, reach), parallel, align.one_sided);
     if (candidate.pairs > LeastPairs(map.scans[last], match)) candidates.push_back(candidate);
   }
   std::ranges::stable_sort(candidates, std::greater{}, &ClosureCandidate::pairs);
@@ -100,8 +101,8 @@ Closure TryClosure(ScanMap& map, const ClosureCandidate& candidate, const MatchO
     wide.search_radius = std::max(align.search_radius, candidate.radius);
   RequireSurfaces(from, align.normal_neighbors, parallel);
   RequireSurfaces(to, align.normal_neighbors, parallel);
-  const bool planes = align.metric == Metric::kPlaneToPlane;
-  const AlignData data{to.points_laser.positions, planes ? to.surfaces_laser : std::vector<SurfacePoint>{}};
+  const AlignData data{to.points_laser.positions,
+                       NeedsDataSurfaces(align) ? to.surfaces_laser : std::vector<SurfacePoint>{}};
   Closure closure;
   closure.from = candidate.scan;
   closure.to = last;

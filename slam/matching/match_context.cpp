@@ -20,14 +20,13 @@ MatchStep AlignToUnion(const MatchContext& c, std::size_t scan, std::vector<std:
   const auto on_iteration = [&](const AlignIteration& iteration) {
     if (c.on_progress) c.on_progress({scan, queued, &iteration});
   };
-  const bool planes = align.metric == Metric::kPlaneToPlane;
   if (NeedsModelSurfaces(align)) {
     for (const std::size_t i : step.partners)
       RequireSurfaces(c.map.scans[i], align.normal_neighbors, c.parallel);
   }
-  if (planes) RequireSurfaces(current, align.normal_neighbors, c.parallel);
+  if (NeedsDataSurfaces(align)) RequireSurfaces(current, align.normal_neighbors, c.parallel);
   const AlignData data{current.points_laser.positions,
-                       planes ? current.surfaces_laser : std::vector<SurfacePoint>{}};
+                       NeedsDataSurfaces(align) ? current.surfaces_laser : std::vector<SurfacePoint>{}};
   step.align =
       Align(UnionInMap(c.map.scans, step.partners), data, current.T_map_laser, align, on_iteration);
   step.moved_translation = TranslationDistance(current.T_map_laser, step.align.T_model_data);
@@ -69,7 +68,8 @@ std::vector<Overlap> FindOverlaps(const MatchContext& c) {
   std::vector<Overlap> overlaps;
   for (std::size_t i = 0; i + 1 < scans.size(); ++i) {
     if (!scans[i].registered) continue;
-    const std::size_t pairs = CountOverlap(scans[i], scans.back(), c.align.max_distance, c.parallel);
+    const std::size_t pairs =
+        CountOverlap(scans[i], scans.back(), c.align.max_distance, c.parallel, c.align.one_sided);
     if (pairs > 0) overlaps.push_back({i, pairs});
   }
   std::ranges::stable_sort(overlaps, std::greater{}, &Overlap::pairs);

@@ -38,8 +38,9 @@ MatchResult MatchByQueue(const MatchContext& c) {
     const std::size_t current = queue.front();
     queue.pop_front();
     if (current == kMaster) continue;  // nothing is aligned, so nothing has moved
-    const std::vector<std::size_t> neighbors = FindOverlapping(
-        scans, current, static_cast<std::size_t>(c.match.overlap_pairs), c.align.max_distance, c.parallel);
+    const std::vector<std::size_t> neighbors =
+        FindOverlapping(scans, current, static_cast<std::size_t>(c.match.overlap_pairs),
+                        c.align.max_distance, c.parallel, c.align.one_sided);
     if (neighbors.empty()) continue;  // its last motion, or theirs, has taken it away from all others
     result.steps.push_back(PopCurrent(c, current, neighbors, queue));
   }

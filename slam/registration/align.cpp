@@ -142,7 +142,11 @@ std::string_view Name(AlignStatus status) {
 }
 
 bool NeedsModelSurfaces(const AlignOptions& options) {
-  return options.metric != Metric::kPointToPoint || options.skip_boundary;
+  return options.metric != Metric::kPointToPoint || options.skip_boundary || options.one_sided;
+}
+
+bool NeedsDataSurfaces(const AlignOptions& options) {
+  return options.metric == Metric::kPlaneToPlane || options.one_sided;
 }
 
 AlignModel PrepareModel(const PointCloud& model, const AlignOptions& options) {
@@ -160,7 +164,7 @@ AlignData PrepareData(const PointCloud& data, const AlignOptions& options) {
   CheckOptions(options, kSection);
   RequireUsable("data", data.positions);
   AlignData prepared{data.positions, {}};
-  if (options.metric == Metric::kPlaneToPlane) {
+  if (NeedsDataSurfaces(options)) {
     prepared.surfaces =
         EstimateSurfaces(KdTree(data.positions), options.normal_neighbors, Parallel(options.threads));
   }

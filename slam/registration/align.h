@@ -60,16 +60,17 @@ struct AlignModel {
   std::vector<SurfacePoint> surfaces;  // one per point, or empty where neither metric nor filter needs them
 };
 
-/// Whether the metric or a filter looks at the model's surfaces.
+/// Whether the metric or a filter looks at the surfaces of the model, or of the data.
 bool NeedsModelSurfaces(const AlignOptions& options);
+bool NeedsDataSurfaces(const AlignOptions& options);
 
 /// Throws an Error for an empty cloud, a point that is not finite, or an option out of its range.
 AlignModel PrepareModel(const PointCloud& model, const AlignOptions& options);
 
-/// The moving cloud with what the metric needs.
+/// The moving cloud with what the metric and the filters need.
 struct AlignData {
   std::vector<Eigen::Vector3d> points;
-  std::vector<SurfacePoint> surfaces;  // one per point for plane_to_plane, else empty
+  std::vector<SurfacePoint> surfaces;  // one per point, or empty where neither metric nor filter needs them
 };
 
 AlignData PrepareData(const PointCloud& data, const AlignOptions& options);

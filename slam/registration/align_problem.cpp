@@ -4,6 +4,7 @@
 
 #include "slam/registration/assess.h"
 #include "slam/registration/gauss_newton.h"
+#include "slam/registration/pair_filter.h"
 #include "slam/registration/rigid_fit.h"
 
 namespace ariadne::slam {
@@ -57,19 +58,16 @@ void AlignProblem::FindPairs(const Pose3& T_model_data, double max_distance) {
   } else {
     pairs_ = &tracker_.Update(T_model_data, max_distance, parallel_);
   }
-  if (options_.metric != Metric::kPointToPoint || options_.skip_boundary) DropUnusablePairs();
+  if (NeedsModelSurfaces(options_)) DropUnusablePairs(T_model_data);
 }
 
-void AlignProblem::DropUnusablePairs() {
+void AlignProblem::DropUnusablePairs(const Pose3& T_model_data) {
   if (pairs_ != &own_pairs_) own_pairs_ = *pairs_;
   pairs_ = &own_pairs_;
-  const bool planes = options_.metric != Metric::kPointToPoint;
+  const PairFilter filter(model_.surfaces, data_.surfaces, T_model_data, options_);
   for (std::size_t i = 0; i < own_pairs_.model_index.size(); ++i) {
     std::uint32_t& m = own_pairs_.model_index[i];
-    if (m == kNoPoint) continue;
-    const bool no_normal =
-        !model_.surfaces[m].has_normal() || (!data_.surfaces.empty() && !data_.surfaces[i].has_normal());
-    if ((planes && no_normal) || (options_.skip_boundary && model_.surfaces[m].boundary)) m = kNoPoint;
+    if (m != kNoPoint && !filter.Keeps(i, m)) m = kNoPoint;
   }
 }
 
@@ -77,7 +75,8 @@ void AlignProblem::ChooseWeights(const Pose3& T_model_data, bool with_kernel) {
   const RobustKernel kernel = with_kernel ? options_.kernel : RobustKernel::kNone;
   std::vector<double> squared_residuals;
   if (options_.trim < 1.0 || (kernel != RobustKernel::kNone && options_.kernel_scale == 0.0)) {
-    const PlaneMetric metric{model_.tree.points(), model_.surfaces, data_.points, data_.surfaces};
+    const PlaneMetric metric{model_.tree.points(), model_.surfaces, data_.points, data_.surfaces,
+                             options_.metric};
     squared_residuals = options_.metric == Metric::kPointToPoint
                             ? SquaredDistances(*pairs_)
                             : SquaredResiduals(metric, *pairs_, T_model_data);
@@ -111,7 +110,8 @@ Improvement AlignProblem::FitPoints() const {
 }
 
 Improvement AlignProblem::StepToPlanes(const Pose3& T_model_data) const {
-  const PlaneMetric metric{model_.tree.points(), model_.surfaces, data_.points, data_.surfaces};
+  const PlaneMetric metric{model_.tree.points(), model_.surfaces, data_.points, data_.surfaces,
+                           options_.metric};
   const NormalEquations equations =
       GatherNormalEquations(metric, *pairs_, T_model_data, center_data_, weight_, parallel_);
   if (equations.pairs == 0) return {};

@@ -31,7 +31,7 @@ class AlignProblem {
 
  private:
   void FindPairs(const Pose3& T_model_data, double max_distance);
-  void DropUnusablePairs();
+  void DropUnusablePairs(const Pose3& T_model_data);
   void ChooseWeights(const Pose3& T_model_data, bool with_kernel);
   Improvement FitPoints() const;
   Improvement StepToPlanes(const Pose3& T_model_data) const;

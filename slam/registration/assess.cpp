@@ -91,7 +91,8 @@ void AddPair(const Converged& c, const AlignOptions& options, std::size_t i, Cel
     cell.gradient += w * J.transpose() * e;
     return;
   }
-  const PlaneMetric metric{c.model.tree.points(), c.model.surfaces, c.data.points, c.data.surfaces};
+  const PlaneMetric metric{c.model.tree.points(), c.model.surfaces, c.data.points, c.data.surfaces,
+                           options.metric};
   const PairError error = metric.Error(i, m, c.T_model_data, R_data_model);
   const Eigen::Matrix3d information = error.Information();
   const double w = c.weight(error.Squared());

@@ -37,7 +37,7 @@ PairError PlaneMetric::Error(std::size_t i, std::uint32_t model_index, const Pos
   error.e = data[i] + R_data_model * (T_model_data.translation - model[model_index]);
   error.direction = R_data_model * model_surfaces[model_index].normal;
   error.second.setZero();
-  if (data_surfaces.empty()) return error;
+  if (metric == Metric::kPointToPlane) return error;
 
   const Eigen::Vector3d a = error.direction;
   const Eigen::Vector3d& n = data_surfaces[i].normal;

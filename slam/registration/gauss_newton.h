@@ -6,6 +6,7 @@
 #include "slam/base/parallel.h"
 #include "slam/geometry/pose3.h"
 #include "slam/registration/correspondences.h"
+#include "slam/registration/options.h"
 #include "slam/registration/pair_weight.h"
 #include "slam/search/surface.h"
 
@@ -31,13 +32,14 @@ struct PairError {
   Eigen::Matrix3d Information() const;
 };
 
-/// The clouds, and which metric compares them. Refers to the clouds' vectors. The surfaces of paired points
-/// have normals.
+/// The clouds, and which of the plane metrics compares them. Refers to the clouds' vectors. The surfaces of
+/// paired points have normals; point_to_plane looks at the model's alone.
 struct PlaneMetric {
   const std::vector<Eigen::Vector3d>& model;
   const std::vector<SurfacePoint>& model_surfaces;
   const std::vector<Eigen::Vector3d>& data;
-  const std::vector<SurfacePoint>& data_surfaces;  // empty: point_to_plane
+  const std::vector<SurfacePoint>& data_surfaces;
+  Metric metric;
 
   PairError Error(std::size_t i, std::uint32_t model_index, const Pose3& T_model_data,
                   const Eigen::Matrix3d& R_data_model) const;

@@ -34,6 +34,7 @@ struct AlignOptions {
   RobustKernel kernel = RobustKernel::kNone;
   double kernel_scale = 0.0;
   bool skip_boundary = false;
+  bool one_sided = false;
   int max_iterations = 200;
   double convergence_rms = 1e-7;
   double convergence_step = 0.0;
@@ -69,6 +70,10 @@ struct AlignOptions {
     visit("skip_boundary", self.skip_boundary,
           "drop pairs with model points where the model's scan ends: what lies beyond pairs wrongly with "
           "them");
+    visit("one_sided", self.one_sided,
+          "drop pairs of points that were seen from opposite sides, as those of a wall thinner than the "
+          "gate; "
+          "for clouds in the frames of their scanners");
     visit("max_iterations", self.max_iterations, Unit(""), Range{1, 100000},
           "Table 1 took 25 to 27; the real hallway takes up to 64 to its last digit");
     visit(

@@ -40,7 +40,8 @@ SurfacePoint EstimateSurface(const KdTree& tree, std::size_t point, int neighbor
   const bool line = fit.variances[1] <= kLineRatio * fit.variances[2];
   const bool thick = fit.variances[0] > kThicknessRatio * fit.variances[1];
   if (line || thick) return surface;
-  surface.normal = fit.plane.normal;
+  const bool away = fit.plane.normal.dot(points[point]) > 0.0;
+  surface.normal = away ? Eigen::Vector3d(-fit.plane.normal) : fit.plane.normal;
   const Eigen::Vector3d offset = moments.Mean() - points[point];
   const Eigen::Vector3d in_plane = offset - surface.normal.dot(offset) * surface.normal;
   surface.boundary = in_plane.norm() > kBoundaryOffset * surface.radius;

@@ -10,9 +10,9 @@ namespace ariadne::slam {
 
 /// What the nearest neighbours of a point tell about the surface on which it lies.
 struct SurfacePoint {
-  /// Of the plane through the neighbours, by total least squares; the sign is arbitrary. Zero where they
-  /// determine none: they lie on a line (one slice of a coarse scan), or fill space (stray points, noise
-  /// as large as their distance).
+  /// Of the plane through the neighbours, by total least squares; towards the origin, where the scanner is
+  /// in a scan's own frame. Zero where they determine none: they lie on a line (one slice of a coarse
+  /// scan), or fill space (stray points, noise as large as their distance).
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   /// The neighbours are all to one side: the scan ends here, though the surface may go on.
   bool boundary = false;

@@ -29,7 +29,6 @@ class PlaneEquations : public testing::TestWithParam<Metric> {
       pairs_.model_index.push_back(i % 5 == 0 ? kNoPoint : partner);
       pairs_.squared_distance.push_back(0.0);
     }
-    if (GetParam() == Metric::kPointToPlane) data_surfaces_.clear();
   }
 
   /// e(tau) = R^T (T Translate(center) Exp(tau) Translate(-center) d - m): the difference in the present
@@ -60,7 +59,7 @@ class PlaneEquations : public testing::TestWithParam<Metric> {
   const Eigen::Vector3d center_{0.3, -0.7, 0.4};
   std::vector<SurfacePoint> model_surfaces_, data_surfaces_;
   Correspondences pairs_;
-  const PlaneMetric metric_{model_, model_surfaces_, data_, data_surfaces_};
+  const PlaneMetric metric_{model_, model_surfaces_, data_, data_surfaces_, GetParam()};
 };
 INSTANTIATE_TEST_SUITE_P(Metrics, PlaneEquations,
                          testing::Values(Metric::kPointToPlane, Metric::kPlaneToPlane),

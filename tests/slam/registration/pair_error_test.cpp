@@ -20,9 +20,7 @@ struct Pair {
   Pose3 T_model_data;
 
   PairError ErrorBy(Metric metric) const {
-    static const std::vector<SurfacePoint> none;
-    const PlaneMetric planes{model, model_surfaces, data,
-                             metric == Metric::kPlaneToPlane ? data_surfaces : none};
+    const PlaneMetric planes{model, model_surfaces, data, data_surfaces, metric};
     return planes.Error(0, 0, T_model_data, T_model_data.RotationMatrix().transpose());
   }
   Eigen::Vector3d DifferenceInModel() const { return T_model_data * data[0] - model[0]; }
