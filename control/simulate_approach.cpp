@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "control/turn_in_place.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::control {
@@ -51,19 +52,11 @@ class Approach {
 
   /// In place, once the wheels have stopped.
   std::optional<DriveCommand> NextTurn() {
-    const double acceleration = options_.limits.turning_acceleration;
     const double rest = options_.final_turn ? -T_goal_robot_.angle : 0.0;
-    const bool turned = std::abs(rest) <= slam::RadFromDeg(options_.goal_angle);
-    const bool nearly_stands = std::abs(before_.turning) <= acceleration * options_.period;
-    if (turned && nearly_stands && before_.forward == 0.0) return {};
+    const double tolerance = slam::RadFromDeg(options_.goal_angle);
+    if (HasTurned(rest, tolerance, before_, options_.period, options_.limits)) return {};
     if (result_.duration >= options_.max_time) return End(ApproachStatus::kTimeOut);
-    // The fastest that can be braked in the rest: speed period / 2 + speed^2 / (2 acceleration) = rest.
-    const double half = 0.5 * options_.period;
-    const double braking =
-        acceleration * (std::sqrt(half * half + 2.0 * std::abs(rest) / acceleration) - half);
-    const double turning =
-        before_.forward > 0.0 ? 0.0 : std::min(braking, std::abs(rest) / options_.period);
-    return Limited({0.0, std::copysign(turning, rest)}, before_, options_.period, options_.limits);
+    return TurnInPlace(rest, before_, options_.period, options_.limits);
   }
 
   const ApproachOptions& options_;
