@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "slam/geometry/angles.h"
 
@@ -14,6 +15,10 @@ constexpr double kClearAngle = slam::RadFromDeg(2.0);  // [rad]
 
 constexpr int kHalvings = 10;  // of a step until contact
 
+constexpr double kInstant = 1e-6;  // of a step: no step is only a rounding error long
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 SimulatedBase::SimulatedBase(const World& world, const SimulatedBaseOptions& options, std::uint64_t seed)
@@ -21,6 +26,8 @@ SimulatedBase::SimulatedBase(const World& world, const SimulatedBaseOptions& opt
       wheels_(options.drive, options.wheels, seed),
       odometry_(options.drive, options.odometry),
       step_(options.step),
+      command_timeout_(options.command_timeout),
+      stale_at_(kNever),
       T_map_base_(world.T_map_start),
       path_{{0.0, world.T_map_start}} {
   CheckOptions(options, "base.");
@@ -35,6 +42,12 @@ SimulatedBase::SimulatedBase(const World& world, const SimulatedBaseOptions& opt
   }
 }
 
+void SimulatedBase::Drive(const Velocity& velocity) {
+  wheels_.Command(velocity);
+  const bool stop = velocity.forward == 0.0 && velocity.turning == 0.0;
+  stale_at_ = command_timeout_ > 0.0 && !stop ? now_ + command_timeout_ : kNever;
+}
+
 void SimulatedBase::WaitUntil(double time) {
   if (!std::isfinite(time)) Fail("the robot cannot wait until {} s", time);
   while (now_ < time) {
@@ -42,7 +55,7 @@ void SimulatedBase::WaitUntil(double time) {
       now_ = time;
     } else {
       const double next = NextStep();
-      StepUntil(time < next + 1e-6 * step_ ? time : next);  // no step that is only a rounding error long
+      StepUntil(time < next + kInstant * step_ ? time : next);
     }
   }
 }
@@ -56,10 +69,22 @@ RobotState SimulatedBase::State() const {
   return {now_, odometry_.odometry(), wheels_.velocity(), contact_.has_value()};
 }
 
-/// Steps end at multiples of their length, so that waiting in pieces gives the same motion.
-double SimulatedBase::NextStep() const { return (std::floor(now_ / step_ + 1e-6) + 1.0) * step_; }
+/// Steps end at multiples of their length, so that waiting in pieces gives the same motion, and where a
+/// command becomes stale.
+double SimulatedBase::NextStep() const {
+  const double next = (std::floor(now_ / step_ + kInstant) + 1.0) * step_;
+  const bool stale_before = stale_at_ > now_ + kInstant * step_ && stale_at_ < next - kInstant * step_;
+  return stale_before ? stale_at_ : next;
+}
+
+void SimulatedBase::BrakeIfStale() {
+  if (now_ < stale_at_ - kInstant * step_) return;
+  wheels_.Command({});
+  stale_at_ = kNever;
+}
 
 void SimulatedBase::StepUntil(double time) {
+  BrakeIfStale();
   const WheelStep step = wheels_.Accelerate(time - now_);
   const bool free = MayGoTo(T_map_base_ * wheels_.Motion(step, 1.0), time);
   const double share = free ? 1.0 : ShareUntilContact(step, time);

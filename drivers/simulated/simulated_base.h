@@ -15,6 +15,7 @@ struct SimulatedBaseOptions {
   WheelsOptions wheels;
   FootprintOptions footprint;
   double step = 0.01;
+  double command_timeout = 0.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -24,6 +25,9 @@ struct SimulatedBaseOptions {
     visit("footprint", self.footprint, "what collides with the world");
     visit("step", self.step, Unit("s"), Range{1e-4, 0.1},
           "of the motion, one arc each: 8 mm at full speed, and how often the encoders are read");
+    visit("command_timeout", self.command_timeout, Unit("s"), Range{0.0, 3600.0},
+          "after the last command the base brakes by itself, as if nobody drove it any more; 0: it drives "
+          "on");
   }
 };
 
@@ -44,7 +48,8 @@ class SimulatedBase {
   SimulatedBase(const World&&, const SimulatedBaseOptions&, std::uint64_t) = delete;
 
   double Now() const { return now_; }
-  void Drive(const Velocity& velocity) { wheels_.Command(velocity); }
+  /// Holds until the next command, or until the base has waited for that for its command_timeout.
+  void Drive(const Velocity& velocity);
   void WaitUntil(double time);
 
   /// Brakes, and returns when the wheels stand.
@@ -66,6 +71,7 @@ class SimulatedBase {
  private:
   double NextStep() const;
   void StepUntil(double time);
+  void BrakeIfStale();
   bool MayGoTo(const slam::Pose2& T_map_base, double time) const;
   double ShareUntilContact(const WheelStep& step, double time) const;
   void NoteContact(bool stopped);
@@ -73,7 +79,9 @@ class SimulatedBase {
   Obstacles obstacles_;
   Wheels wheels_;
   control::WheelOdometry odometry_;
-  double step_;  // [s]
+  double step_;             // [s]
+  double command_timeout_;  // [s]
+  double stale_at_;         // when the last command loses its force; infinity: never [s]
   double now_ = 0.0;
   slam::Pose2 T_map_base_;
   std::vector<TruePose> path_;

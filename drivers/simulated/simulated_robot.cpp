@@ -28,14 +28,26 @@ SimulatedRobot::SimulatedRobot(std::shared_ptr<const RayScene> scene, const Simu
 slam::Pose3 SimulatedRobot::T_base_laser() const { return AisMounting(options_.ais).T_base_laser; }
 
 slam::Scan SimulatedRobot::TakeScan() {
+  slam::Scan scan;
+  ScanUntilNothingMoves([&](double start, std::uint64_t scan_number) {
+    scan = TakeAisScan(*scene_, slam::ToPose3(T_map_base_true()), start, options_.ais, seed_, scan_number,
+                       parallel_);
+  });
+  scan.odometry = State().odometry;  // of the whole scan: the robot stands
+  return scan;
+}
+
+void SimulatedRobot::SkipScan() {
+  ScanUntilNothingMoves([](double, std::uint64_t) {});
+}
+
+void SimulatedRobot::ScanUntilNothingMoves(const TakeAt& take) {
   base_.Halt();
   for (int repeats = 0;; ++repeats) {
     const double start = Now();
-    slam::Scan scan = TakeAisScan(*scene_, slam::ToPose3(T_map_base_true()), start, options_.ais, seed_,
-                                  scans_++, parallel_);
-    scan.odometry = State().odometry;
+    take(start, scans_++);
     WaitUntil(start + AisScanDuration(options_.ais));
-    if (!SomethingMoved(start, Now()) || repeats == options_.frames.max_repeats) return scan;
+    if (!SomethingMoved(start, Now()) || repeats == options_.frames.max_repeats) return;
     ++repeated_scans_;
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <memory>
 
 #include "drivers/differential_frames.h"
@@ -48,6 +50,12 @@ class SimulatedRobot : public Robot {
   slam::LaserSweep TakeSweep() override;
   std::vector<SafetySweep> TakeSafetySweeps() override;
 
+  /// What the calls above do to the robot and to its time, without their results, most of whose rays need
+  /// not be cast: so a simulation is brought to where it was before.
+  void SkipScan();
+  void SkipSweep() { ++sweeps_; }
+  void SkipSafetySweeps() { ++safety_sweeps_; }
+
   RobotState State() override { return base_.State(); }
   void Drive(const Velocity& velocity) override { base_.Drive(velocity); }
   void WaitUntil(double time) override { base_.WaitUntil(time); }
@@ -58,6 +66,9 @@ class SimulatedRobot : public Robot {
   int repeated_scans() const { return repeated_scans_; }
 
  private:
+  using TakeAt = std::function<void(double start, std::uint64_t scan_number)>;
+
+  void ScanUntilNothingMoves(const TakeAt& take);
   std::vector<SafetySweep> SafetySweepsUntil(double end);
   bool SomethingMoved(double start, double end);
 
