@@ -9,6 +9,7 @@
 #include "experiments/studies/ablation_matching.h"
 #include "experiments/studies/ablation_nbv.h"
 #include "experiments/studies/ablation_nbv_3d.h"
+#include "experiments/studies/explore.h"
 #include "experiments/studies/extract.h"
 #include "experiments/studies/fig_02.h"
 #include "experiments/studies/fig_03.h"
@@ -79,6 +80,8 @@ StudyResult RunPosegraphBenchmarkStudy(const PosegraphBenchmarkOptions& options,
 const std::vector<Study>& AllStudies() {
   static const std::vector<Study> kStudies{
       MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
+      MakeStudy<ExploreStudyOptions>("explore", "a building that the robot was never told", CheckExplore,
+                                     RunExplore),
       MakeStudy<OptimizeOptions>("optimize", "a pose graph into its best poses", CheckOptimizeInput,
                                  RunOptimizeStudy),
       MakeStudy<PosegraphBenchmarkOptions>("posegraph_benchmark",

@@ -29,7 +29,8 @@ int FirstAt(double at, int count) { return static_cast<int>(std::clamp(std::ceil
 
 }  // namespace
 
-FreeSpace::FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOptions& options)
+FreeSpace::FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOptions& options,
+                     std::span<const Eigen::Vector2d> obstacles_map)
     : resolution_(options.resolution), exact_within_(options.exact_within) {
   CheckOptions(options, "free_space.");
   const auto add = [this](const slam::Ring& ring) {
@@ -41,6 +42,7 @@ FreeSpace::FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOption
   }
   SetSize(options);
   if (squares_.empty()) return;
+  AddObstacles(obstacles_map);
   // What seeds the transform must be known everywhere: which cells a boundary is in.
   const double reach = std::max(options.exact_within, resolution_);
   for (const Segment& edge : edges_) FindExactDistances(edge, reach);
@@ -71,6 +73,15 @@ void FreeSpace::SetSize(const FreeSpaceOptions& options) {
   rows_ = static_cast<int>(size.y());
   lowest_ = low.array() - resolution_;
   squares_.assign(IndexOf({0, rows_}), kFar);
+}
+
+/// As edges without length, of those on the raster.
+void FreeSpace::AddObstacles(std::span<const Eigen::Vector2d> obstacles_map) {
+  for (const Eigen::Vector2d& p_map : obstacles_map) {
+    if (!IsPlace(p_map))
+      Fail("the free area has an obstacle at ({}, {}), which is no place", p_map.x(), p_map.y());
+    if (IsOnRaster(CellOf(p_map))) edges_.push_back({p_map, p_map});
+  }
 }
 
 void FreeSpace::FindExactDistances(const Segment& edge, double reach) {

@@ -35,12 +35,13 @@ struct Cell {
 
 /// How far a place of the known free area is from its nearest boundary, by a raster of squared distances:
 /// exact ones near the boundary, from a Euclidean distance transform (Felzenszwalb, Huttenlocher 2012)
-/// elsewhere. Where two polygons touch, their common edge is a boundary.
+/// elsewhere. Where two polygons touch, their common edge is a boundary; so is every obstacle, a place.
 class FreeSpace {
  public:
-  /// The area is the inside of polygons that do not overlap. Error for corners that are no places, and for
-  /// an area with too many cells.
-  explicit FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOptions& options = {});
+  /// The area is the inside of polygons that do not overlap; obstacles outside of it do not matter. Error
+  /// for corners and obstacles that are no places, and for an area with too many cells.
+  explicit FreeSpace(std::span<const slam::Polygon2> area, const FreeSpaceOptions& options = {},
+                     std::span<const Eigen::Vector2d> obstacles_map = {});
 
   /// The distance to the nearest boundary [m]; 0 outside. Never more than that (but for 1e-5 m of
   /// rounding), so that what is free here is free. Less by at most resolution^2 / (7 clearance) where one
@@ -98,6 +99,7 @@ class FreeSpace {
   void FillBins();
   bool IsFarFromEdges(const Eigen::Vector2d& p_map, double radius) const;
   void SetSize(const FreeSpaceOptions& options);
+  void AddObstacles(std::span<const Eigen::Vector2d> obstacles_map);
   void FindExactDistances(const Segment& edge, double reach);
   void FindFarDistances(double exact_within);
   void MarkOutside();

@@ -26,10 +26,10 @@ struct Scene {
   RayGain gain;
 
   Scene(std::span<const LabelledPolygon> polygons, const slam::Pose2& T_map_robot,
-        const ViewPlannerOptions& options)
+        const ViewPlannerOptions& options, std::span<const Eigen::Vector2d> obstacles_map)
       : area(Plain(polygons)),
         edges(EdgesOf(polygons)),
-        free(area, options.free_space),
+        free(area, options.free_space, obstacles_map),
         ways(DistancesFrom(free, T_map_robot.translation, options.robot_radius)),
         gain(edges, T_map_robot.angle, options.view.gain) {}
 
@@ -257,9 +257,10 @@ std::vector<Edge> EdgesOf(std::span<const LabelledPolygon> area) {
 
 ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
                       const ViewPlannerOptions& options, std::uint64_t seed,
-                      std::span<const slam::Pose2> T_map_scans, const WayCost& way_cost) {
+                      std::span<const slam::Pose2> T_map_scans, const WayCost& way_cost,
+                      std::span<const Eigen::Vector2d> obstacles_map) {
   CheckOptions(options, "planner.");
-  const Scene scene(area, T_map_robot, options);
+  const Scene scene(area, T_map_robot, options, obstacles_map);
   const LookedAt looked_at(scene.edges, T_map_scans, options.view.gain, options.piece);
   const Decision decision(scene, T_map_robot, options, seed, looked_at, way_cost);
   const bool by_frontier = options.policy == ViewPolicy::kNearestFrontier;

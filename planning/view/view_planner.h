@@ -96,15 +96,17 @@ struct ViewPlan {
 };
 
 /// Where to scan next, given what is known to be free and which of its edges are unseen (Sec. 4.2, 4.3).
-/// `T_map_scans` are the scans that have been taken, for look_again. The same input gives the same bytes.
-/// Error for corners or a pose that are not finite.
+/// `T_map_scans` are the scans that have been taken, for look_again. Obstacles are in the way of the robot,
+/// but not of its view. The same input gives the same bytes. Error for corners or a pose that are not
+/// finite.
 ///
 /// kNoGain, the end of an exploration: neither a candidate nor a place before an unseen edge that the
 /// robot can reach has min_gain rays (and min_overlap). kNoCandidates: the robot cannot move, and has
 /// scanned to both sides; before that, close before a wall, it turns about.
 ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
                       const ViewPlannerOptions& options, std::uint64_t seed,
-                      std::span<const slam::Pose2> T_map_scans = {}, const WayCost& way_cost = {});
+                      std::span<const slam::Pose2> T_map_scans = {}, const WayCost& way_cost = {},
+                      std::span<const Eigen::Vector2d> obstacles_map = {});
 
 /// All edges with their labels.
 std::vector<Edge> EdgesOf(std::span<const LabelledPolygon> area);

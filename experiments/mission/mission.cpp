@@ -1,0 +1,227 @@
+#include "experiments/mission/mission.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "slam/base/stopwatch.h"
+
+namespace ariadne::experiments {
+namespace {
+
+using slam::Pose2;
+
+constexpr double kSamePlaceAgain = 0.5;  // [m]
+constexpr double kPathStep = 0.05;   // of the path that is kept [m]
+
+double UnseenLength(std::span<const planning::LabelledPolygon> area) {
+  double length = 0.0;
+  for (const planning::Edge& edge : planning::EdgesOf(area)) {
+    if (!edge.seen) length += (edge.to - edge.from).norm();
+  }
+  return length;
+}
+
+double FreeArea(std::span<const planning::LabelledPolygon> area) {
+  double sum = 0.0;
+  for (const planning::LabelledPolygon& polygon : area) sum += slam::Area(planning::ToPolygon2(polygon));
+  return sum;
+}
+
+/// A mission under way.
+class Explorer {
+ public:
+  Explorer(drivers::Robot& robot, const MissionOptions& options, std::uint64_t seed,
+           const MissionEvents& events)
+      : robot_(robot),
+        options_(options),
+        seed_(seed),
+        events_(events),
+        map_(options, robot.T_base_laser()) {}
+
+  MissionResult Run();
+
+ private:
+  void Status(const std::string& text) const {
+    if (events_.on_status) events_.on_status(text);
+  }
+  bool IsStopped() const { return events_.stop && events_.stop(); }
+
+  void AcquireAndRegister();
+  std::optional<PlannedDrive> Plan();
+  void Drive(const PlannedDrive& drive);
+  void ReturnToStart();
+  std::optional<MissionEnd> Limit() const;
+  MissionResult Finish(MissionEnd end);
+  void NoteFailure(const PlannedDrive& drive, const DriveReport& report);
+
+  drivers::Robot& robot_;
+  const MissionOptions& options_;
+  std::uint64_t seed_;
+  const MissionEvents& events_;
+  MissionMap map_;
+  MissionStop next_;  // what is known of the stop to come
+  MissionResult result_;
+  std::vector<FailedTarget> failed_;
+  int blocked_ = 0, unregistered_ = 0;  // in a row
+};
+
+void Explorer::AcquireAndRegister() {
+  Status(fmt::format("scan {}: taking it", map_.size()));
+  const slam::Scan scan = robot_.TakeScan();
+  Status(fmt::format("scan {}: registering it", map_.size()));
+  const Stopwatch watch;
+  const slam::MatchResult match = map_.AddScan(fmt::format("scan{:03}", map_.size()),
+                                               slam::ToPointCloud(scan), scan.odometry.T_odom_base);
+  MissionStop stop = std::move(next_);
+  next_ = {};
+  stop.matching_seconds = watch.Seconds();
+  stop.time = robot_.Now();
+  stop.distance = result_.distance;
+  stop.registered = match.registered;
+  stop.message = match.message;
+  stop.T_map_base = map_.T_map_base(map_.size() - 1);
+  stop.T_map_base_guess = FromAbove(match.T_map_laser_guess * robot_.T_base_laser().Inverse());
+  unregistered_ = match.registered ? 0 : unregistered_ + 1;
+  const std::vector<planning::LabelledPolygon> area = map_.Area(0);
+  stop.unseen = UnseenLength(area);
+  stop.free_area = FreeArea(area);
+  result_.stops.push_back(stop);
+  if (events_.on_stop) events_.on_stop(stop, map_);
+}
+
+std::optional<MissionEnd> Explorer::Limit() const {
+  if (IsStopped()) return MissionEnd::kStopped;
+  if (unregistered_ >= options_.patience.unregistered) return MissionEnd::kLost;
+  if (blocked_ >= options_.patience.blocked) return MissionEnd::kStuck;
+  if (map_.size() >= static_cast<std::size_t>(options_.limits.max_scans)) return MissionEnd::kScanLimit;
+  if (robot_.Now() >= options_.limits.max_time) return MissionEnd::kTimeLimit;
+  if (result_.distance >= options_.limits.max_distance) return MissionEnd::kDistanceLimit;
+  return {};
+}
+
+/// The next view; after a scan that was not registered, where the robot was sure before.
+std::optional<PlannedDrive> Explorer::Plan() {
+  Status(fmt::format("scan {}: planning", map_.size() - 1));
+  const Stopwatch watch;
+  const Surroundings around = SurroundingsOf(map_);
+  const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
+  const std::uint64_t seed = seed_ + map_.size();
+  std::optional<PlannedDrive> drive;
+  if (unregistered_ > 0) {
+    std::size_t sure = map_.size() - 1;
+    while (sure > 0 && !map_.registered(sure)) --sure;
+    drive = PlanDriveTo(around, T_map_base, map_.T_map_base(sure), options_, seed);
+  } else {
+    drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
+  }
+  next_.planning_seconds = watch.Seconds();
+  if (drive && events_.on_plan) events_.on_plan(*drive, around);
+  return drive;
+}
+
+void Explorer::Drive(const PlannedDrive& drive) {
+  Status(fmt::format(
+      "scan {}: driving{}", map_.size() - 1,
+      drive.view ? fmt::format(" to ({:.1f}, {:.1f}) m", drive.view->p_map.x(), drive.view->p_map.y())
+                 : " back"));
+  const Stopwatch watch;
+  const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
+  const Pose2 T_map_odom = T_map_base * robot_.State().odometry.T_odom_base.Inverse();
+  const DriveReport report = DrivePath(robot_, T_map_odom, drive.path_map, options_.drive, events_.stop);
+  for (const Eigen::Vector2d& p_map : report.obstacles_map) map_.AddObstacle(p_map);
+  for (const Pose2& pose : report.poses_map) {
+    if (result_.path_map.empty() || (pose.translation - result_.path_map.back()).norm() > kPathStep)
+      result_.path_map.push_back(pose.translation);
+  }
+  result_.distance += report.length;
+  next_.driving_seconds = watch.Seconds();
+  next_.view = drive.view;
+  next_.drive = report.end;
+  next_.leg_only = drive.leg_only;
+  next_.of_disc = drive.of_disc;
+  if (report.end == DriveEnd::kBlocked) {
+    NoteFailure(drive, report);
+  } else {
+    blocked_ = 0;
+  }
+}
+
+void Explorer::NoteFailure(const PlannedDrive& drive, const DriveReport& report) {
+  blocked_ = report.length > kSamePlaceAgain ? 1 : blocked_ + 1;
+  if (!drive.view) return;
+  const auto known = std::ranges::find_if(failed_, [&](const FailedTarget& target) {
+    return (target.p_map - drive.view->p_map).norm() < kSamePlaceAgain;
+  });
+  (known == failed_.end() ? failed_.emplace_back(FailedTarget{drive.view->p_map, 0}) : *known).times += 1;
+}
+
+void Explorer::ReturnToStart() {
+  constexpr int kTries = 100;
+  for (int i = 0; i < kTries && !Limit(); ++i) {
+    const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
+    const Pose2 T_map_start = map_.T_map_base(0);
+    if ((T_map_base.translation - T_map_start.translation).norm() < kSamePlaceAgain) {
+      result_.returned = true;
+      return;
+    }
+    const auto drive =
+        PlanDriveTo(SurroundingsOf(map_), T_map_base, T_map_start, options_, seed_ + map_.size());
+    if (!drive) return;
+    Drive(*drive);
+    AcquireAndRegister();
+  }
+}
+
+MissionResult Explorer::Finish(MissionEnd end) {
+  Status("integrating all scans");
+  map_.Finish();
+  result_.end = end;
+  result_.scans = map_.Scans();
+  for (std::size_t i = 0; i < map_.size(); ++i) result_.registered.push_back(map_.registered(i));
+  result_.area = map_.Area(0);
+  result_.obstacles_map = map_.Obstacles();
+  result_.time = robot_.Now();
+  return std::move(result_);
+}
+
+MissionResult Explorer::Run() {
+  AcquireAndRegister();
+  for (;;) {
+    if (const std::optional<MissionEnd> limit = Limit()) return Finish(*limit);
+    const std::optional<PlannedDrive> drive = Plan();
+    if (!drive) {
+      if (unregistered_ > 0) return Finish(MissionEnd::kLost);
+      if (options_.return_to_start) ReturnToStart();
+      return Finish(MissionEnd::kNothingLeft);
+    }
+    if (events_.approve && !events_.approve(*drive)) return Finish(MissionEnd::kRejected);
+    Drive(*drive);
+    if (next_.drive == DriveEnd::kStopped) return Finish(MissionEnd::kStopped);
+    AcquireAndRegister();
+  }
+}
+
+}  // namespace
+
+std::string_view Describe(MissionEnd end) {
+  constexpr std::array<std::string_view, 8> kSentences{
+      "nothing is left that is worth a scan",
+      "the limit of scans is reached",
+      "the limit of time is reached",
+      "the limit of distance is reached",
+      "the robot is stuck: drive after drive ended at an obstacle",
+      "the robot is lost: scan after scan could not be registered",
+      "a plan was not approved",
+      "it was stopped"};
+  return kSentences[static_cast<std::size_t>(end)];
+}
+
+MissionResult RunMission(drivers::Robot& robot, const MissionOptions& options, std::uint64_t seed,
+                         const MissionEvents& events) {
+  CheckOptions(options, "mission.");
+  return Explorer(robot, options, seed, events).Run();
+}
+
+}  // namespace ariadne::experiments

@@ -1,0 +1,105 @@
+#include "experiments/mission/mission_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/mission/fence.h"
+#include "slam/base/numbers.h"
+
+namespace ariadne::experiments {
+namespace {
+
+constexpr double kOwnRadius = 0.28;  // within the robot's own outline, where it has stood [m]
+
+bool HasStoodAt(std::span<const slam::Pose2> T_map_bases, const Eigen::Vector2d& p_map) {
+  return std::ranges::any_of(T_map_bases, [&](const slam::Pose2& T_map_base) {
+    return (T_map_base.translation - p_map).norm() < kOwnRadius;
+  });
+}
+
+/// The centres of the occupied cells.
+std::vector<Eigen::Vector2d> OccupiedPlaces(const slam::OccupancyGrid& grid) {
+  std::vector<Eigen::Vector2d> places;
+  for (std::size_t row = 0; row < grid.rows; ++row) {
+    for (std::size_t column = 0; column < grid.columns; ++column) {
+      if (grid.At(column, row) != slam::Occupancy::kOccupied) continue;
+      const Eigen::Vector2d cell(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+      places.emplace_back(grid.origin_map + grid.resolution * cell);
+    }
+  }
+  return places;
+}
+
+}  // namespace
+
+MissionMap::MissionMap(const MissionOptions& options, const slam::Pose3& T_base_laser)
+    : options_(options),
+      T_base_laser_(T_base_laser),
+      mapper_(options.mapper),
+      area_(options.area, ParseNumbers(options.heights, "heights"), T_base_laser),
+      fence_map_(FencePosts(options.limits.fence, options.obstacles.resolution)) {
+  CheckOptions(options_, "mission.");
+}
+
+slam::MatchResult MissionMap::AddScan(const std::string& name, slam::PointCloud cloud_laser,
+                                      const slam::Pose2& T_odom_base) {
+  slam::PosedCloud scan{name, std::move(cloud_laser), slam::ToPose3(T_odom_base) * T_base_laser_};
+  slam::MatchResult match = mapper_.AddScan(scan);
+  scan.T_map_laser = mapper_.scans().back().T_map_laser;
+  if (mapper_.scans().back().registered) {
+    shown_.push_back(scans_.size());
+    area_.AddScan(scan);
+  }
+  scans_.push_back(std::move(scan));
+  return match;
+}
+
+slam::Pose2 MissionMap::T_map_base(std::size_t scan) const {
+  return FromAbove(mapper_.scans()[scan].T_map_laser * T_base_laser_.Inverse());
+}
+
+std::vector<slam::Pose3> MissionMap::T_map_laser() const {
+  std::vector<slam::Pose3> poses;
+  for (const slam::MapScan& scan : mapper_.scans()) poses.push_back(scan.T_map_laser);
+  return poses;
+}
+
+std::vector<slam::PosedCloud> MissionMap::Scans() const {
+  std::vector<slam::PosedCloud> scans = scans_;
+  for (std::size_t i = 0; i < scans.size(); ++i) scans[i].T_map_laser = mapper_.scans()[i].T_map_laser;
+  return scans;
+}
+
+std::vector<slam::Pose3> MissionMap::RegisteredPoses() const {
+  std::vector<slam::Pose3> poses;
+  for (const std::size_t i : shown_) poses.push_back(mapper_.scans()[i].T_map_laser);
+  return poses;
+}
+
+std::vector<slam::Pose2> MissionMap::T_map_scans() const {
+  std::vector<slam::Pose2> poses;
+  for (const slam::Pose3& T_map_laser : RegisteredPoses()) poses.push_back(FromAbove(T_map_laser));
+  return poses;
+}
+
+std::vector<planning::LabelledPolygon> MissionMap::Area(std::size_t height) const {
+  return area_.At(height, RegisteredPoses());
+}
+
+std::vector<Eigen::Vector2d> MissionMap::Obstacles() const {
+  std::vector<slam::PosedCloud> shown;
+  std::vector<slam::Pose2> T_map_bases;
+  for (const std::size_t i : shown_) {
+    shown.push_back(scans_[i]);
+    shown.back().T_map_laser = mapper_.scans()[i].T_map_laser;
+    T_map_bases.push_back(T_map_base(i));
+  }
+  std::vector<Eigen::Vector2d> obstacles =
+      OccupiedPlaces(slam::MakeOccupancyGrid(shown, options_.obstacles));
+  std::erase_if(obstacles, [&](const Eigen::Vector2d& p_map) { return HasStoodAt(T_map_bases, p_map); });
+  obstacles.insert(obstacles.end(), met_map_.begin(), met_map_.end());
+  obstacles.insert(obstacles.end(), fence_map_.begin(), fence_map_.end());
+  return obstacles;
+}
+
+}  // namespace ariadne::experiments

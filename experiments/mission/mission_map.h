@@ -1,0 +1,58 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/mission/mission_options.h"
+
+namespace ariadne::experiments {
+
+/// What a mission knows after some scans: where they lie, what is free at each height, and what stands in
+/// the way. Scans that could not be registered lie where odometry says and show nothing.
+class MissionMap {
+ public:
+  MissionMap(const MissionOptions& options, const slam::Pose3& T_base_laser);
+
+  /// Registers a scan. `T_odom_base` is the odometry's; only its change since the scan before counts, and
+  /// the first scan defines the map's frame by it.
+  slam::MatchResult AddScan(const std::string& name, slam::PointCloud cloud_laser,
+                            const slam::Pose2& T_odom_base);
+
+  /// Makes all poses agree once more, after the last scan.
+  slam::MatchResult Finish() { return mapper_.Finish(); }
+
+  /// Something stands there that the robot cannot pass, whatever the scans show.
+  void AddObstacle(const Eigen::Vector2d& p_map) { met_map_.push_back(p_map); }
+
+  std::size_t size() const { return mapper_.scans().size(); }
+  bool registered(std::size_t scan) const { return mapper_.scans()[scan].registered; }
+  slam::Pose2 T_map_base(std::size_t scan) const;
+  std::vector<slam::Pose3> T_map_laser() const;
+
+  /// The scans with their points, where they lie now.
+  std::vector<slam::PosedCloud> Scans() const;
+
+  /// Those of the registered scans, seen from above.
+  std::vector<slam::Pose2> T_map_scans() const;
+  std::size_t height_count() const { return area_.height_count(); }
+  std::vector<planning::LabelledPolygon> Area(std::size_t height) const;
+
+  /// Centres of the cells that are occupied up to the robot's height (but where the robot itself has
+  /// stood), what it has met, and the fence.
+  std::vector<Eigen::Vector2d> Obstacles() const;
+
+ private:
+  std::vector<slam::Pose3> RegisteredPoses() const;
+
+  MissionOptions options_;
+  slam::Pose3 T_base_laser_;
+  slam::Mapper mapper_;
+  ScanLoopArea area_;
+  std::vector<std::size_t> shown_;  // scans that the area knows
+  std::vector<slam::PosedCloud> scans_;
+  std::vector<Eigen::Vector2d> met_map_;
+  std::vector<Eigen::Vector2d> fence_map_;
+};
+
+}  // namespace ariadne::experiments

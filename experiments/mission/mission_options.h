@@ -1,0 +1,89 @@
+#pragma once
+
+#include <string>
+
+#include "experiments/exploration/explore_3d.h"
+#include "experiments/mission/drive_path.h"
+#include "planning/path/plan_path.h"
+#include "planning/view/view_planner.h"
+#include "slam/map/occupancy_grid.h"
+#include "slam/mapper.h"
+
+namespace ariadne::experiments {
+
+/// Obstacles up to the top of the robot, of what scans show nearby.
+slam::OccupancyGridOptions RobotObstacleOptions();
+
+/// After which a mission ends, whatever is left to see.
+struct MissionLimits {
+  int max_scans = 200;
+  double max_time = 7200.0;
+  double max_distance = 2000.0;
+  std::string fence;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("max_scans", self.max_scans, Unit(""), Range{1, 100000}, "taken");
+    visit("max_time", self.max_time, Unit("s"), Range{0.0, 1e9}, "by the robot's clock");
+    visit("max_distance", self.max_distance, Unit("m"), Range{0.0, 1e9}, "driven, by odometry");
+    visit("fence", self.fence,
+          "corners of an area that the robot does not leave, in the map, whose origin is where the robot's "
+          "first pose says; x0 y0, x1 y1, ... [m]; empty: none");
+  }
+};
+
+/// What the mission does when a step fails.
+struct MissionPatience {
+  int targets = 5;
+  int blocked = 6;
+  int unregistered = 3;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("targets", self.targets, Unit(""), Range{1, 1000},
+          "views that a path is looked for to, the best first (5.2), before the robot takes the way of a "
+          "disc");
+    visit("blocked", self.blocked, Unit(""), Range{1, 1000},
+          "drives in a row that end at an obstacle, after which the robot is stuck");
+    visit("unregistered", self.unregistered, Unit(""), Range{1, 1000},
+          "scans in a row that cannot be registered, after which the robot is lost; before, it drives back "
+          "to "
+          "where it was sure");
+  }
+};
+
+struct MissionOptions {
+  slam::MapperOptions mapper = RobotMapperOptions();
+  ScanLoopAreaOptions area;
+  slam::OccupancyGridOptions obstacles = RobotObstacleOptions();
+  std::string heights = "1.5";
+  planning::ViewPlannerOptions planner = RobotPlannerOptions();
+  planning::PathOptions path;
+  double max_leg = 4.0;
+  DriveOptions drive;
+  MissionLimits limits;
+  MissionPatience patience;
+  bool return_to_start = false;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("mapper", self.mapper, "how scans are registered; odometry is the first guess");
+    visit("area", self.area, "what is known to be free");
+    visit("obstacles", self.obstacles, "what stands in the way, as high as the robot");
+    visit("heights", self.heights,
+          "of the slices [m]: a, b, ... Each is planned in by itself, and of their views that with the "
+          "highest value is taken; the paper has one to five, 1.5 in its example (4.2)");
+    visit("planner", self.planner, "where to scan next");
+    visit("path", self.path, "how to get there, for the robot's rectangle");
+    visit("max_leg", self.max_leg, Unit("m"), Range{0.1, 1e6},
+          "driven by odometry alone; a longer way is left off there for a scan towards its rest, and "
+          "planned anew. After 8 m odometry errs by 20 to 30 cm: more than a door leaves room for, and "
+          "more than registration mends where walls are parallel");
+    visit("drive", self.drive, "how a path is driven");
+    visit("limits", self.limits, "after which the mission ends");
+    visit("patience", self.patience, "what is tried when a step fails");
+    visit("return_to_start", self.return_to_start, "drive back to where the robot started, at the end");
+  }
+};
+
+}  // namespace ariadne::experiments

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "drivers/simulated/load_world.h"
+#include "experiments/mission/simulated_mission.h"
+#include "experiments/run/progress_display.h"
+#include "experiments/run/run_directory.h"
+
+namespace ariadne::experiments {
+
+/// The experiment `explore`: a robot that was never told the building leaves a 3D model of it.
+struct ExploreStudyOptions {
+  std::string world = "builtin:robobench";
+  int seed = 1;
+  int threads = 2;
+  drivers::SimulatedRobotOptions robot = CoarseRobotOptions();
+  MissionOptions mission;
+  FloorScannerOptions scanner;
+  ScanLoopWorldOptions judge;
+  drivers::WorldOptions geometry;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("world", self.world,
+          "what is explored: builtin:robobench, builtin:entrance_hall, a floor plan (.json), a description "
+          "(.yaml) or a mesh");
+    visit("seed", self.seed, Unit(""), Range{0, 1e9},
+          "of the errors of wheels and scanners, and of candidates");
+    visit("threads", self.threads, Unit(""), Range{1, 1024}, "results do not depend on it");
+    visit("robot", self.robot, "the simulated robot and its scanner");
+    visit("mission", self.mission, "the mission");
+    visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
+    visit("judge", self.judge, "what there is to see, against which the mission is judged");
+    visit("geometry", self.geometry, "what floor plans and meshes leave open");
+  }
+};
+
+/// Error where the world cannot be read.
+void CheckExplore(const ExploreStudyOptions& options);
+
+/// Returns what to print.
+std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run, ProgressDisplay& progress);
+
+}  // namespace ariadne::experiments
