@@ -4,9 +4,6 @@
 #include <cmath>
 #include <optional>
 
-#include "control/turn_in_place.h"
-#include "slam/geometry/angles.h"
-
 namespace ariadne::control {
 namespace {
 
@@ -15,20 +12,20 @@ using slam::Pose2;
 /// The unicycle in the frame of its goal, stepped from period to period.
 class Approach {
  public:
-  Approach(const Pose2& T_goal_robot, const ApproachOptions& options)
-      : options_(options), T_goal_robot_(T_goal_robot) {
+  Approach(const Pose2& T_goal_robot, ApproachBehaviour behaviour, const ApproachOptions& options)
+      : options_(options), behaviour_(behaviour), T_goal_robot_(T_goal_robot) {
     max_distance_ = T_goal_robot.translation.norm() + options.max_excursion;
   }
 
   /// What to do in the next period; none where the approach has ended.
   std::optional<DriveCommand> Next() {
-    if (result_.status != ApproachStatus::kReached) return {};
-    const double distance = T_goal_robot_.translation.norm();
-    if (distance <= options_.goal_distance) turning_ = true;
-    if (turning_) return NextTurn();
+    const ApproachStep step = StepApproach(T_goal_robot_, progress_, behaviour_, options_);
+    progress_ = step.progress;
+    if (step.finished) return {};
     if (result_.duration >= options_.max_time) return End(ApproachStatus::kTimeOut);
-    if (distance > max_distance_) return End(ApproachStatus::kLeftBehind);
-    return Limited(SteerToGoal(T_goal_robot_, options_.law), before_, options_.period, options_.limits);
+    if (progress_.phase != ApproachPhase::kFinalTurn && T_goal_robot_.translation.norm() > max_distance_)
+      return End(ApproachStatus::kLeftBehind);
+    return step.command;
   }
 
   void Drive(const DriveCommand& command) {
@@ -38,7 +35,6 @@ class Approach {
     result_.length += std::abs(way);
     result_.turned += std::abs(turn);
     result_.duration = ++periods_ * options_.period;
-    before_ = command;
   }
 
   const Pose2& T_goal_robot() const { return T_goal_robot_; }
@@ -50,21 +46,12 @@ class Approach {
     return {};
   }
 
-  /// In place, once the wheels have stopped.
-  std::optional<DriveCommand> NextTurn() {
-    const double rest = options_.final_turn ? -T_goal_robot_.angle : 0.0;
-    const double tolerance = slam::RadFromDeg(options_.goal_angle);
-    if (HasTurned(rest, tolerance, before_, options_.period, options_.limits)) return {};
-    if (result_.duration >= options_.max_time) return End(ApproachStatus::kTimeOut);
-    return TurnInPlace(rest, before_, options_.period, options_.limits);
-  }
-
   const ApproachOptions& options_;
+  ApproachBehaviour behaviour_;
   Pose2 T_goal_robot_;
   double max_distance_ = 0.0;  // [m]
-  bool turning_ = false;
   int periods_ = 0;
-  DriveCommand before_;
+  ApproachProgress progress_;
   ApproachCostResult result_;
 };
 
@@ -82,9 +69,9 @@ void RequireApproach(const Pose2& T_map_robot, const Pose2& T_map_goal, const Ap
 }  // namespace
 
 ApproachResult SimulateApproach(const Pose2& T_map_robot, const Pose2& T_map_goal,
-                                const ApproachOptions& options) {
+                                const ApproachOptions& options, ApproachBehaviour behaviour) {
   RequireApproach(T_map_robot, T_map_goal, options);
-  Approach approach(T_map_goal.Inverse() * T_map_robot, options);
+  Approach approach(T_map_goal.Inverse() * T_map_robot, behaviour, options);
   ApproachResult result;
   for (;;) {
     const std::optional<DriveCommand> command = approach.Next();
@@ -101,9 +88,9 @@ ApproachResult SimulateApproach(const Pose2& T_map_robot, const Pose2& T_map_goa
 }
 
 ApproachCostResult ApproachCost(const Pose2& T_map_robot, const Pose2& T_map_goal,
-                                const ApproachOptions& options) {
+                                const ApproachOptions& options, ApproachBehaviour behaviour) {
   RequireApproach(T_map_robot, T_map_goal, options);
-  Approach approach(T_map_goal.Inverse() * T_map_robot, options);
+  Approach approach(T_map_goal.Inverse() * T_map_robot, behaviour, options);
   while (const std::optional<DriveCommand> command = approach.Next()) approach.Drive(*command);
   return approach.result();
 }

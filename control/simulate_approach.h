@@ -3,39 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "control/indiveri.h"
+#include "control/approach_step.h"
 
 namespace ariadne::control {
-
-/// How an approach is controlled, and when it ends.
-struct ApproachOptions {
-  IndiveriOptions law;
-  DriveLimits limits;
-  double period = 0.05;
-  double goal_distance = 0.01;
-  bool final_turn = true;
-  double goal_angle = 0.25;
-  double max_time = 600.0;
-  double max_excursion = 20.0;
-
-  template <typename Self, typename Visitor>
-  static void Visit(Self& self, Visitor& visit) {
-    visit("law", self.law, "gains of the controller");
-    visit("limits", self.limits, "what the motors can do");
-    visit(
-        "period", self.period, Unit("s"), Range{1e-4, 1.0},
-        "of control; open in the paper. The way of one period is a fraction gamma period of the distance");
-    visit("goal_distance", self.goal_distance, Unit("m"), Range{1e-6, 10.0},
-          "where driving ends; open in the paper. The law is singular at the goal itself");
-    visit("final_turn", self.final_turn, "turn in place afterwards; a separate primitive in the paper");
-    visit("goal_angle", self.goal_angle, Unit("deg"), Range{1e-6, 180.0}, "where turning ends");
-    visit("max_time", self.max_time, Unit("s"), Range{0.0, 1e6}, "after which the goal is given up");
-    visit(
-        "max_excursion", self.max_excursion, Unit("m"), Range{0.0, 1e6},
-        "farther from the goal than at the start; beyond, the goal is given up. Driving forward only, the "
-        "robot must leave a goal behind it before it can turn to it");
-  }
-};
 
 enum class ApproachStatus { kReached, kTimeOut, kLeftBehind };
 
@@ -55,10 +25,11 @@ struct ApproachResult {
 };
 
 /// How the robot would drive to the goal, from standing, if nothing were in its way and its motors did as
-/// they are told: the law of Sec. 5.1 under the limits, with exact arcs. Error for gains and options that
-/// are none and poses that are not finite.
+/// they are told: under the limits, with exact arcs. Error for gains and options that are none and poses
+/// that are not finite.
 ApproachResult SimulateApproach(const slam::Pose2& T_map_robot, const slam::Pose2& T_map_goal,
-                                const ApproachOptions& options);
+                                const ApproachOptions& options,
+                                ApproachBehaviour behaviour = ApproachBehaviour::kController);
 
 /// What the same approach costs, without its trajectory.
 struct ApproachCostResult {
@@ -69,7 +40,8 @@ struct ApproachCostResult {
 };
 
 ApproachCostResult ApproachCost(const slam::Pose2& T_map_robot, const slam::Pose2& T_map_goal,
-                                const ApproachOptions& options);
+                                const ApproachOptions& options,
+                                ApproachBehaviour behaviour = ApproachBehaviour::kController);
 
 }  // namespace ariadne::control
 
