@@ -60,6 +60,7 @@ std::string SectionHtml(const PageSection& section) {
   for (const std::string& picture : section.pictures) {
     html += fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{0}\"></a>\n", Escaped(picture));
   }
+  html += section.html;
   if (!section.table.columns.empty()) html += TableHtml(section.table, section.folded);
   return html;
 }

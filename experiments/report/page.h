@@ -7,12 +7,13 @@
 
 namespace ariadne::experiments {
 
-/// A part of a page: pictures and a table under a heading. Either may be empty.
+/// A part of a page: pictures, HTML and a table under a heading. Each may be empty.
 struct PageSection {
   std::string heading;
   std::vector<std::string> pictures;  // paths relative to the page
   Table table;
-  bool folded = false;  // the table only opens when it is asked for
+  bool folded = false;    // the table only opens when it is asked for
+  std::string html = {};  // goes into the page as it is
 };
 
 /// What a person opens to see how a run went.

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "experiments/report/page.h"
-
 namespace ariadne::experiments {
 namespace {
 
@@ -63,8 +61,11 @@ Page MakePage(const RunDirectory& run, const std::string& title) {
 
 }  // namespace
 
-void FinishRun(const RunDirectory& run, const std::string& title, std::size_t total) {
-  run.WriteText("report.html", ToHtml(MakePage(run, title)));
+void FinishRun(const RunDirectory& run, const std::string& title, std::size_t total,
+               const std::optional<PageSection>& first) {
+  Page page = MakePage(run, title);
+  if (first) page.sections.insert(page.sections.begin(), *first);
+  run.WriteText("report.html", ToHtml(page));
   run.WriteProgress("finished", total, total);
 }
 

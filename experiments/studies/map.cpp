@@ -6,6 +6,7 @@
 #include "experiments/render/png_file.h"
 #include "experiments/report/map_cameras.h"
 #include "experiments/report/model_pictures.h"
+#include "experiments/report/viewer.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
 #include "experiments/studies/building_model.h"
@@ -88,6 +89,15 @@ void DrawFigures(const RunDirectory& run, const std::vector<slam::PosedCloud>& s
   WritePng(run.File("figures/mesh.png"), RenderMesh(lower, camera, {}, Parallel(1)));
 }
 
+/// The points with the boxes around objects and the mesh.
+PageSection ViewOf(const std::vector<slam::PosedCloud>& scans, const slam::SurfaceModel& model,
+                   const slam::TriangleMesh& mesh) {
+  ViewerScene scene = SceneOf(scans);
+  for (const slam::ObjectBox& object : model.objects) scene.boxes.push_back({object.box, {}, 0});
+  scene.mesh_map = mesh;
+  return ViewerSection(scene, "The model in 3D");
+}
+
 Json MetricsOf(const slam::Octree& octree, const slam::SurfaceModel& model,
                const slam::TriangleMesh& mesh) {
   Json classes;
@@ -142,7 +152,7 @@ std::string RunMap(const MapStudyOptions& options, const RunDirectory& run, Prog
   const Json metrics = MetricsOf(octree, model, mesh);
   run.WriteJson("metrics.json", metrics);
   run.WriteJson("timing.json", step.timing());
-  FinishRun(run, "A model of the building", kSteps);
+  FinishRun(run, "A model of the building", kSteps, ViewOf(clouds, model, mesh));
   std::string text = fmt::format("{} points in {} voxels, {} objects, {} triangles\n", octree.points(),
                                  octree.leaves(), model.objects.size(), mesh.triangles.size());
   for (const auto& [name, value] : metrics["surfaces"].items()) {

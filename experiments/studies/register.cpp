@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
 #include "experiments/config/options_io.h"
+#include "experiments/report/viewer.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
 #include "experiments/studies/register_log.h"
@@ -87,13 +90,16 @@ RegisterSummary RunRegister(const RegisterOptions& options, const RunDirectory& 
   Finish(state, progress);
 
   const Stopwatch writing;
-  WriteRegisterOutput(options, source, state.log, run, progress);
+  const std::vector<slam::PosedCloud> shown =
+      WriteRegisterOutput(options, source, state.log, run, progress);
   RegisterSummary summary = ReportRegistration(options, source, state.mapper, state.log,
                                                state.timing.at("match_s").get<std::vector<double>>(), run);
   state.timing["write_s"] = writing.Seconds();
   run.WriteJson("timing.json", state.timing);
   std::filesystem::remove(run.path() / kCheckpoint);
-  FinishRun(run, fmt::format("Registration of {} scans", source.size()), source.size());
+  std::optional<PageSection> view;
+  if (!shown.empty()) view = ViewerSection(SceneOf(shown));
+  FinishRun(run, fmt::format("Registration of {} scans", source.size()), source.size(), view);
   return summary;
 }
 

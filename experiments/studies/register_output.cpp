@@ -24,7 +24,7 @@ constexpr std::size_t kPicturePoints =
 constexpr const char* kRegisterReadme =
     R"(What this run has left (units m, rad, s; x forward, y left, z up)
 
-report.html     all of it at a glance, in any browser
+report.html     all of it at a glance, with the map in 3D, in any browser
 config.yaml     all options, with their values; running it again gives the same bytes
 manifest.json   what the run was made with: commit, compiler, libraries, SHA-256 of the inputs
 progress.json   how far the run has come: running, finished or failed
@@ -122,18 +122,20 @@ std::vector<slam::PosedCloud> WriteMap(const RegisterOptions& options, const Sca
 
 }  // namespace
 
-void WriteRegisterOutput(const RegisterOptions& options, const ScanSource& source, const RegisterLog& log,
-                         const RunDirectory& run, ProgressDisplay& progress) {
+std::vector<slam::PosedCloud> WriteRegisterOutput(const RegisterOptions& options, const ScanSource& source,
+                                                  const RegisterLog& log, const RunDirectory& run,
+                                                  ProgressDisplay& progress) {
   WriteTables(log, run);
   WritePoses(source, log, run);
-  if (!options.output.map && !options.output.figures) return;
-  const std::vector<slam::PosedCloud> after = WriteMap(options, source, log, run, progress);
-  if (!options.output.figures) return;
+  if (!options.output.map && !options.output.figures) return {};
+  std::vector<slam::PosedCloud> after = WriteMap(options, source, log, run, progress);
+  if (!options.output.figures) return {};
   std::vector<slam::PosedCloud> before = after;
   for (std::size_t i = 0; i < before.size(); ++i) before[i].T_map_laser = source.T_odom_laser(i);
   WritePng(run.File("figures/top_before.png"), TopPicture(before, after, "Before: first guesses"));
   WritePng(run.File("figures/top_after.png"), TopPicture(after, after, "After registration"));
   WritePng(run.File("figures/oblique.png"), ObliquePicture(after, "After registration"));
+  return after;
 }
 
 }  // namespace ariadne::experiments
