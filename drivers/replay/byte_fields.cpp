@@ -1,18 +1,26 @@
 #include "drivers/replay/byte_fields.h"
 
+#include "drivers/replay/packed_floats.h"
+
 namespace ariadne::drivers {
 
 void FieldWriter::Floats(const std::vector<float>& numbers) {
+  const PackedFloats packed = PackFloats(numbers);
   Number(static_cast<std::uint32_t>(numbers.size()));
-  bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(float));
+  Number(static_cast<std::uint8_t>(packed.coding));
+  bytes_ += packed.bytes;
 }
 
 void FieldReader::Floats(std::vector<float>& numbers) {
   std::uint32_t count = 0;
+  std::uint8_t coding = 0;
   Number(count);
-  const std::string_view bytes = Next(count * sizeof(float));
+  Number(coding);
+  if (count > bytes_.size()) Fail("the record ends before its {} numbers", count);
   numbers.resize(count);
-  if (count > 0) std::memcpy(numbers.data(), bytes.data(), bytes.size());
+  const auto taken = UnpackFloats(static_cast<FloatCoding>(coding), bytes_, numbers);
+  if (!taken) Fail("{} numbers of the record are damaged", count);
+  Next(*taken);
 }
 
 void FieldReader::Flag(bool& flag) {

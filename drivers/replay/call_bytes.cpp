@@ -4,9 +4,12 @@
 #include <utility>
 
 #include "drivers/replay/byte_fields.h"
+#include "slam/io/lzf.h"
 
 namespace ariadne::drivers {
 namespace {
+
+constexpr std::uint8_t kCompressedFlag = 0x80;
 
 // The fields of each record, in the order of the file, for reading and for writing.
 
@@ -85,30 +88,67 @@ void CallFields(Bytes& bytes, Call& call) {
 }
 
 template <std::size_t... kKinds>
-RobotCall EmptyCall(std::uint8_t kind, std::index_sequence<kKinds...>) {
+RobotCall EmptyCall(CallKind kind, std::index_sequence<kKinds...>) {
   const std::array<RobotCall, sizeof...(kKinds)> calls{
       RobotCall(std::variant_alternative_t<kKinds, RobotCall>())...};
-  if (kind >= calls.size())
-    Fail("records of kind {} are not known; a newer program has written them", kind);
-  return calls[kind];
+  return calls[static_cast<std::size_t>(kind)];
+}
+
+std::string FieldsOf(const RobotCall& call) {
+  FieldWriter bytes;
+  std::visit([&](const auto& kind) { CallFields(bytes, kind); }, call);
+  return bytes.bytes();
+}
+
+/// Nothing where it would not be shorter.
+std::optional<std::string> Compressed(const std::string& fields) {
+  const std::vector<char> compressed = slam::LzfCompressed(fields);
+  if (compressed.empty() || compressed.size() + sizeof(std::uint32_t) >= fields.size()) return std::nullopt;
+  FieldWriter bytes;
+  bytes.Number(static_cast<std::uint32_t>(fields.size()));
+  bytes.Rest(std::string(compressed.begin(), compressed.end()));
+  return bytes.bytes();
+}
+
+std::string Decompressed(std::string_view bytes) {
+  FieldReader reader(bytes);
+  std::uint32_t size = 0;
+  std::string compressed;
+  reader.Number(size);
+  reader.Rest(compressed);
+  if (size > slam::LargestLzfOriginal(compressed.size())) Fail("the size of the record is damaged");
+  const auto fields = slam::LzfDecompressed(compressed, size);
+  if (!fields) Fail("the compressed record is damaged");
+  return {fields->begin(), fields->end()};
 }
 
 }  // namespace
 
 std::string EncodeCall(const RobotCall& call) {
-  FieldWriter bytes;
-  bytes.Number(static_cast<std::uint8_t>(KindOf(call)));
-  std::visit([&](const auto& kind) { CallFields(bytes, kind); }, call);
-  return bytes.bytes();
+  const auto kind = static_cast<std::uint8_t>(KindOf(call));
+  const std::string fields = FieldsOf(call);
+  if (const auto compressed = Compressed(fields)) {
+    return static_cast<char>(kind | kCompressedFlag) + *compressed;
+  }
+  return static_cast<char>(kind) + fields;
+}
+
+std::optional<CallKind> KindOfBytes(std::string_view bytes) {
+  if (bytes.empty()) return std::nullopt;
+  const auto kind = static_cast<std::uint8_t>(static_cast<std::uint8_t>(bytes.front()) & ~kCompressedFlag);
+  if (kind >= std::variant_size_v<RobotCall>) return std::nullopt;
+  return static_cast<CallKind>(kind);
 }
 
 RobotCall DecodeCall(std::string_view bytes) {
-  FieldReader fields(bytes);
-  std::uint8_t kind = 0;
-  fields.Number(kind);
-  RobotCall call = EmptyCall(kind, std::make_index_sequence<std::variant_size_v<RobotCall>>());
-  std::visit([&](auto& alternative) { CallFields(fields, alternative); }, call);
-  fields.Finish();
+  const std::optional<CallKind> kind = KindOfBytes(bytes);
+  if (!kind) Fail("the kind of the record is not known");
+  const bool compressed = (static_cast<std::uint8_t>(bytes.front()) & kCompressedFlag) != 0;
+  const std::string fields = compressed ? Decompressed(bytes.substr(1)) : std::string(bytes.substr(1));
+  FieldReader reader(fields);
+  RobotCall call = EmptyCall(*kind, std::make_index_sequence<std::variant_size_v<RobotCall>>());
+  std::visit([&](auto& alternative) { CallFields(reader, alternative); }, call);
+  reader.Finish();
   return call;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,8 @@ std::string EncodeCall(const RobotCall& call);
 
 /// The call of a record. Bytes that EncodeCall cannot have written are an Error.
 RobotCall DecodeCall(std::string_view bytes);
+
+/// The kind of a record, without a look at the rest; nothing where there is no such kind.
+std::optional<CallKind> KindOfBytes(std::string_view bytes);
 
 }  // namespace ariadne::drivers

@@ -5,10 +5,11 @@
 
 namespace ariadne::drivers {
 
-/// Brings a simulated robot, fresh from its start, to where a log of it ends, by repeating its calls; scans
-/// and sweeps are not computed again. What it does then is the same, bit by bit, as if it had never been
-/// away: go on with Seam::kNone. Where it does not answer as the log, which was then written with another
-/// world, seed or version, it throws an Error.
+/// Brings a simulated robot, fresh from its start, to where a log of it ends, by repeating its calls. What
+/// it does then is the same, bit by bit, as if it had never been away: go on with Seam::kNone. Of the
+/// measurements only the first and some others are taken again and compared, since rays cost time. Where
+/// the robot does not answer as the log says, which was then written with another world, seed or version,
+/// it throws an Error.
 void FastForward(SimulatedRobot& robot, RobotLog& log);
 
 }  // namespace ariadne::drivers

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <array>
 #include <boost/crc.hpp>
 #include <cstdint>
-#include <cstring>
+#include <string>
 #include <string_view>
+
+#include "drivers/replay/call_bytes.h"
 
 namespace ariadne::drivers {
 
@@ -27,6 +28,25 @@ inline std::uint32_t FrameCrc(std::uint32_t length, std::string_view payload) {
   crc.process_bytes(&length, sizeof length);
   crc.process_bytes(payload.data(), payload.size());
   return crc.checksum();
+}
+
+/// After which records the writer waits for the disk.
+inline bool IsSafeAtOnce(CallKind kind) { return kind == CallKind::kScan || kind == CallKind::kNote; }
+
+/// The bytes with which a file begins.
+inline std::string HeadOfLog() {
+  std::string head(kRobotLogMagic);
+  head.append(reinterpret_cast<const char*>(&kRobotLogVersion), sizeof kRobotLogVersion);
+  return head;
+}
+
+/// A record with its frame.
+inline std::string FramedCall(const RobotCall& call) {
+  const std::string payload = EncodeCall(call);
+  FrameHead head;
+  head.length = static_cast<std::uint32_t>(payload.size());
+  head.crc = FrameCrc(head.length, payload);
+  return std::string(reinterpret_cast<const char*>(&head), sizeof head) + payload;
 }
 
 }  // namespace ariadne::drivers

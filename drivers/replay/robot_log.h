@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drivers/replay/robot_call.h"
@@ -36,11 +37,15 @@ namespace ariadne::drivers {
 ///     note           text, to the end of the payload
 ///   scanner          f64 first_angle, f64 angle_step, int32 turns_per_sweep, f64 turn_period
 ///   odometry         f64 angle, f64 x, f64 y, 9 f64 covariance by rows
-///   sweep            f64 stamp, f64 pitch, f64 pitch_rate, list of f32 ranges, list of f32 reflectance
+///   sweep            f64 stamp, f64 pitch, f64 pitch_rate, numbers ranges, numbers reflectance
+///   numbers          uint32 count, uint8 coding, and what PackFloats says; each keeps its bits
+/// With two safety scanners of 361 points and reflectance at 20 Hz a minute takes 1.4 to 1.8 MB, 7.4 MB as
+/// f32, and 3.8 to 4.7 MB as f32 with LZF; a scan of 181 x 256 points 50 to 72 kB.
 class RobotLog {
  public:
   /// Finds the records of a log; `name` is for messages. What is no log, or one of another version, is an
-  /// Error. A log that breaks off is not: it ends with its last whole record.
+  /// Error. A log that breaks off is not: it ends with its last whole record. Damage is: a scan or a note
+  /// that follows it was on the disk with all before it.
   RobotLog(std::unique_ptr<std::istream> file, std::string name);
 
   /// Whole records.
@@ -63,12 +68,14 @@ class RobotLog {
   };
   void CheckHead(std::uint64_t file_size);
   bool FindRecord(std::uint64_t file_size);
+  void CheckTail(std::uint64_t file_size);
   std::string_view BytesAt(std::uint64_t offset, std::size_t count);
 
   std::unique_ptr<std::istream> file_;
   std::string name_;
   std::vector<Record> records_;
-  std::vector<char> memory_;  // of the record that was read last
+  std::uint64_t position_ = 0;  // of the file
+  std::vector<char> memory_;    // of the record that was read last
   std::uint64_t end_ = 0;
   std::optional<std::uint64_t> torn_at_;
 };
@@ -76,12 +83,26 @@ class RobotLog {
 /// Error where the file cannot be read or is no log.
 RobotLog ReadRobotLog(const std::filesystem::path& path);
 
+/// Keeps other programs from writing a log, and from driving its robot, as long as it lives. The system
+/// ends it with the program.
+class LogLock {
+ public:
+  explicit LogLock(const std::filesystem::path& path);
+  ~LogLock();
+  LogLock(const LogLock&) = delete;
+  LogLock& operator=(const LogLock&) = delete;
+
+ private:
+  int descriptor_;  // negative: the file system has no locks
+};
+
 /// Writes a log record by record. What Append has returned from outlives the end of the program; scans and
 /// notes, with all before them, outlive that of the system as well (fsync). Whatever cannot be written is
 /// an Error with the path and the system's reason, then and on each further call.
 class RobotLogWriter {
  public:
-  /// Goes on at the end of a log that exists, without what is torn there; else begins one.
+  /// Goes on at the end of a log that exists, without what is torn there; else begins one. Error where it
+  /// is no log, where it is damaged, and while another program writes it.
   explicit RobotLogWriter(std::filesystem::path path);
 
   void Append(const RobotCall& call);
@@ -93,8 +114,8 @@ class RobotLogWriter {
   void Write(std::string_view bytes);
 
   std::filesystem::path path_;
-  bool begun_;  // before, by another program
   slam::DescriptorBuffer file_;
+  LogLock lock_;
   bool failed_ = false;
 };
 

@@ -1,9 +1,11 @@
 #include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
-#include <cstring>
+#include <cerrno>
 #include <system_error>
+#include <utility>
 
-#include "drivers/replay/call_bytes.h"
 #include "drivers/replay/log_frame.h"
 #include "drivers/replay/robot_log.h"
 #include "slam/base/error.h"
@@ -13,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Cuts off what is torn at the end of a log; its size then, 0 where there is none.
+/// Cuts off what is torn at the end of a log. Its size then; 0 where there is no log.
 std::uint64_t WholeSizeOf(const fs::path& path) {
   std::error_code ignored;  // opening it will say what is wrong
   if (!fs::is_regular_file(path, ignored)) return 0;
@@ -26,32 +28,38 @@ std::uint64_t WholeSizeOf(const fs::path& path) {
   return log.end();
 }
 
-std::string HeadOfLog() {
-  std::string head(kRobotLogMagic);
-  head.append(reinterpret_cast<const char*>(&kRobotLogVersion), sizeof kRobotLogVersion);
-  return head;
+/// That a new file has its name is on the disk only when its folder is.
+void FlushFolderOf(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;  // who may write to a folder need not be allowed to list it
+  fsync(descriptor);           // some file systems cannot
+  close(descriptor);
 }
 
 }  // namespace
 
+LogLock::LogLock(const fs::path& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (descriptor_ < 0 || flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  close(descriptor_);
+  Fail("{}: another program is writing this log; let it end first", path.string());
+}
+
+LogLock::~LogLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 RobotLogWriter::RobotLogWriter(fs::path path)
-    : path_(std::move(path)),
-      begun_(WholeSizeOf(path_) > 0),
-      file_(path_, O_WRONLY | O_CREAT | O_APPEND, path_) {
-  if (!begun_) Write(HeadOfLog());
+    : path_(std::move(path)), file_(path_, O_WRONLY | O_CREAT | O_APPEND, path_), lock_(path_) {
+  if (WholeSizeOf(path_) > 0) return;
+  Write(HeadOfLog());
   Flush();
+  FlushFolderOf(path_);
 }
 
 void RobotLogWriter::Append(const RobotCall& call) {
-  const std::string payload = EncodeCall(call);
-  FrameHead head;
-  head.length = static_cast<std::uint32_t>(payload.size());
-  head.crc = FrameCrc(head.length, payload);
-  std::string frame(reinterpret_cast<const char*>(&head), sizeof head);
-  frame += payload;
-  Write(frame);
-  const CallKind kind = KindOf(call);
-  if (kind == CallKind::kScan || kind == CallKind::kNote) Flush();
+  Write(FramedCall(call));
+  if (IsSafeAtOnce(KindOf(call))) Flush();
 }
 
 void RobotLogWriter::Flush() {

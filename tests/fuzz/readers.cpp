@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <memory>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "drivers/replay/log_frame.h"
+#include "drivers/replay/robot_log.h"
 #include "slam/base/error.h"
 #include "slam/io/carmen.h"
 #include "slam/io/g2o.h"
@@ -124,7 +128,28 @@ bool AcceptsG2o(std::string_view bytes) {
 
 bool AcceptsCarmen(std::string_view bytes) { return Accepts(bytes, slam::ReadCarmen, slam::WriteCarmen); }
 
-constexpr std::array<Reader, 13> kReaders{{{"uos_cloud", AcceptsUosCloud},
+std::string ReadRobotLogBytes(std::istream& in, const std::string& name) {
+  drivers::RobotLog log(
+      std::make_unique<std::istringstream>(std::string(std::istreambuf_iterator<char>(in), {})), name);
+  std::string again = drivers::HeadOfLog();
+  for (std::size_t i = 0; i < log.size(); ++i) again += drivers::FramedCall(log.Read(i));
+  return again;
+}
+bool AcceptsRobotLog(std::string_view bytes) {
+  return Accepts(bytes, ReadRobotLogBytes, [](std::ostream& out, const std::string& log) { out << log; });
+}
+
+/// The payload of a record, which no checksum guards here.
+bool AcceptsRobotCall(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    return drivers::DecodeCall(std::string(std::istreambuf_iterator<char>(in), {}));
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const drivers::RobotCall& call) {
+    out << drivers::EncodeCall(call);
+  });
+}
+
+constexpr std::array<Reader, 15> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -136,7 +161,9 @@ constexpr std::array<Reader, 13> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"pose_list", AcceptsPoseList},
                                            {"any_poses", AcceptsAnyPoses},
                                            {"g2o", AcceptsG2o},
-                                           {"carmen", AcceptsCarmen}}};
+                                           {"carmen", AcceptsCarmen},
+                                           {"robot_log", AcceptsRobotLog},
+                                           {"robot_call", AcceptsRobotCall}}};
 
 }  // namespace
 

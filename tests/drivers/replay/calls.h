@@ -1,7 +1,7 @@
 #pragma once
 
 #include <bit>
-#include <filesystem>
+#include <cmath>
 #include <string>
 #include <vector>
 

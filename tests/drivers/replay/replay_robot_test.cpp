@@ -78,7 +78,7 @@ TEST_F(Replay, SaysWhereTheMissionDeparts) {
 TEST_F(Replay, GoesOnAfterAKillAsIfNothingHadHappened) {
   RandomStream stream = NamedStream(1, "kills");
   const auto size = fs::file_size(path);
-  for (int kill = 0; kill < 20; ++kill) {
+  for (int kill = 0; kill < 12; ++kill) {
     const fs::path killed = folder->path() / "killed.log";
     fs::copy_file(path, killed, fs::copy_options::overwrite_existing);
     fs::resize_file(killed, stream() % size);
@@ -95,6 +95,40 @@ TEST_F(Replay, GoesOnAfterAKillAsIfNothingHadHappened) {
     EXPECT_EQ(robot.Now(), end);
     EXPECT_TRUE(ContentOf(killed) == ContentOf(path)) << "the log that goes on";
   }
+}
+
+TEST_F(Replay, IsNoFunctionOfItsNotes) {
+  RobotLog log = ReadRobotLog(path);
+  ReplayRobot replay(log);
+  Witness witness(replay);
+  replay.Note("one more");
+  RunSmallMission(witness);  // leaves no notes
+  EXPECT_TRUE(witness.seen() == seen);
+}
+
+TEST_F(Replay, NoticesOnTheWayForwardThatItIsAnotherRobot) {
+  RobotLog log = ReadRobotLog(path);
+  SimulatedRobot other_seed(scene, CoarseRobot(), kSeed + 1);
+  EXPECT_THAT(ErrorOf([&] { FastForward(other_seed, log); }),
+              HasSubstr("robot.log: the simulated robot departs from the log at call 2 ("))
+      << "by the noise of the scan";
+  SimulatedRobotOptions options = CoarseRobot();
+  options.base.wheels.acceleration *= 1.01;
+  SimulatedRobot stronger(scene, options, kSeed);
+  EXPECT_THAT(ErrorOf([&] { FastForward(stronger, log); }), HasSubstr("State(); go on with the world"));
+  SimulatedRobot same(scene, CoarseRobot(), kSeed);
+  FastForward(same, log);
+  EXPECT_EQ(same.Now(), end);
+}
+
+TEST_F(Replay, EndsWhereNobodyGoesOn) {
+  const fs::path killed = folder->path() / "short.log";
+  fs::copy_file(path, killed, fs::copy_options::overwrite_existing);
+  fs::resize_file(killed, fs::file_size(path) / 2);
+  RobotLog log = ReadRobotLog(killed);
+  ReplayRobot replay(log);
+  EXPECT_THROW(RunSmallMission(replay), LogEnded);
+  EXPECT_EQ(replay.CallsLeft(), 0U);
 }
 
 }  // namespace

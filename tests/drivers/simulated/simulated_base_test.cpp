@@ -224,5 +224,36 @@ TEST(SimulatedBase, HasAnHonestOdometry) {
   EXPECT_NEAR(sum, 3.0 * kSeeds, 3.0 * std::sqrt(6.0 * kSeeds)) << "chi-square, three sigma";
 }
 
+/// It accelerates until the command is stale, and brakes as long: twice a T^2 / 2, to the exact time.
+TEST(SimulatedBase, BrakesByItselfWhenCommandsAreStale) {
+  SimulatedBaseOptions options = BaseWithoutErrors();
+  options.command_timeout = 0.2533;  // within a step
+  const double way = options.wheels.acceleration * options.command_timeout * options.command_timeout;
+  SimulatedBase base(kEmpty, options, 1), patient(kEmpty, options, 1);
+  DriveFor(base, {0.8, 0.0}, 10.0);
+  EXPECT_LT(ErrorOfTruth(base, {0.0, {way, 0.0}}), 1e-9);
+  EXPECT_EQ(base.State().velocity.forward, 0.0);
+  DriveFor(base, {0.8, 0.0}, 10.0);  // until the next command
+  EXPECT_LT(ErrorOfTruth(base, {0.0, {2.0 * way, 0.0}}), 1e-9);
+
+  patient.Drive({0.8, 0.0});
+  for (int i = 1; i <= 1000; ++i) patient.WaitUntil(0.0017 * i);  // waiting is no command
+  EXPECT_LT(ErrorOfTruth(patient, {0.0, {way, 0.0}}), 1e-9);
+}
+
+TEST(SimulatedBase, DoesNotNoticeItsTimeoutWhileCommandsCome) {
+  SimulatedBaseOptions options;
+  SimulatedBase free(kEmpty, options, 1);
+  options.command_timeout = 0.25;
+  SimulatedBase watched(kEmpty, options, 1);
+  for (SimulatedBase* base : {&free, &watched}) {
+    for (int i = 0; i < 60; ++i) DriveFor(*base, {0.5, 0.01 * i}, i % 2 == 0 ? 0.25 : 0.0531);
+    base->Halt();
+  }
+  EXPECT_EQ(free.Now(), watched.Now());
+  EXPECT_EQ(free.T_map_base_true().translation, watched.T_map_base_true().translation);
+  EXPECT_EQ(free.T_map_base_true().angle, watched.T_map_base_true().angle);
+}
+
 }  // namespace
 }  // namespace ariadne::drivers

@@ -159,6 +159,25 @@ TEST(SimulatedRobot, GivesTheSameBytesWithOneThreadAndWithTwo) {
   EXPECT_FALSE(once == bytes(1, 2));
 }
 
+/// Skipping is measuring without the result: afterwards both robots measure the same.
+TEST(SimulatedRobot, IsTheSameAfterWhatItSkips) {
+  const auto scene = SceneOf(RoomWithWalker(0.0, 4.0));
+  SimulatedRobotOptions options = Small();
+  options.ais.slices = 96;
+  SimulatedRobot one(scene, options, 1), other(scene, options, 1);
+  for (SimulatedRobot* robot : {&one, &other}) {
+    robot->Drive({0.4, 0.2});
+    robot->WaitUntil(0.5);
+  }
+  one.TakeScan(), one.TakeSweep(), one.TakeSafetySweeps();
+  other.SkipScan(), other.SkipSweep(), other.SkipSafetySweeps();
+  EXPECT_GT(one.repeated_scans(), 0);
+  EXPECT_EQ(one.repeated_scans(), other.repeated_scans());
+  EXPECT_EQ(one.Now(), other.Now());
+  EXPECT_TRUE(BytesOfAMission(one) == BytesOfAMission(other));
+  EXPECT_EQ(one.path_true().size(), other.path_true().size());
+}
+
 TEST(SimulatedRobot, DrivesTheSameWayWhateverItsScannersDo) {
   const auto scene = SceneOf(FurnishedRoom());
   SimulatedRobotOptions blind = RobotWithoutErrors();
