@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace ariadne::control {
 namespace {
@@ -75,6 +76,54 @@ std::optional<double> FirstOnArc(const RectangleOptions& robot, const Pose2& fro
                                  const Gap& gap) {
   return ArcSearch<Gap>(robot, from, to, gap).First(0.0, 1.0);
 }
+
+/// ArcSearch for many points at once: in each half of an arc only those are looked at that are near it.
+class PointSearch {
+ public:
+  PointSearch(const RectangleOptions& robot, const Pose2& from, const Pose2& to,
+              const std::vector<Vector2d>& points)
+      : robot_(robot),
+        from_(from),
+        tau_((from.Inverse() * to).Log()),
+        half_sweep_(HalfSweep(robot, from, to)),
+        points_(points) {}
+
+  std::optional<PointTouch> First() const {
+    std::vector<std::size_t> all(points_.size());
+    std::iota(all.begin(), all.end(), 0);
+    return First(0.0, 1.0, all);
+  }
+
+ private:
+  std::optional<PointTouch> First(double low, double high, const std::vector<std::size_t>& some) const {
+    const double middle = 0.5 * (low + high);
+    const double moves = half_sweep_ * (high - low);
+    const Pose2 pose = from_ * Pose2::Exp(middle * tau_);
+    const Eigen::Matrix2d R_robot_map = pose.RotationMatrix().transpose();
+    const Vector2d centre = pose * Vector2d(robot_.centre_ahead, 0.0);
+    const Vector2d half = HalfSize(robot_);
+    std::vector<std::size_t> near;
+    double nearest = std::numeric_limits<double>::infinity();
+    std::size_t nearest_point = 0;
+    for (const std::size_t i : some) {
+      const Vector2d p = R_robot_map * (points_[i] - centre);
+      const double gap = (p.cwiseAbs() - half).maxCoeff();
+      if (gap > moves) continue;
+      near.push_back(i);
+      if (gap < nearest) nearest = gap, nearest_point = i;
+    }
+    if (near.empty()) return {};
+    if (moves < 0.5 * robot_.tolerance) return PointTouch{low, nearest_point};
+    if (const auto first = First(low, middle, near)) return first;
+    return First(middle, high, near);
+  }
+
+  const RectangleOptions& robot_;
+  const Pose2& from_;
+  Pose2::Tangent tau_;
+  double half_sweep_;
+  const std::vector<Vector2d>& points_;
+};
 
 void RequireConvex(const Ring& outline) {
   double left = 0.0, right = 0.0, turn = 0.0;
@@ -192,9 +241,9 @@ std::optional<SweepHit> FirstHit(const RectangleOptions& robot, const std::vecto
   return hit;
 }
 
-std::optional<double> FirstTouch(const RectangleOptions& robot, const Pose2& from, const Pose2& to,
-                                 const Vector2d& p_map, double gap) {
-  return FirstOnArc(robot, from, to, [&](const Pose2& pose) { return GapTo(robot, pose, p_map) - gap; });
+std::optional<PointTouch> FirstTouch(const RectangleOptions& robot, const Pose2& from, const Pose2& to,
+                                     const std::vector<Vector2d>& points) {
+  return PointSearch(robot, from, to, points).First();
 }
 
 }  // namespace ariadne::control

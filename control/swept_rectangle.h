@@ -67,9 +67,15 @@ struct SweepHit {
 std::optional<SweepHit> FirstHit(const RectangleOptions& robot, const std::vector<slam::Pose2>& poses,
                                  const GroundObstacles& obstacles);
 
-/// The share of the arc between two poses before a point comes nearer than `gap` [m] to the rectangle with
-/// its margin; none where it does not.
-std::optional<double> FirstTouch(const RectangleOptions& robot, const slam::Pose2& from,
-                                 const slam::Pose2& to, const Eigen::Vector2d& p_map, double gap);
+struct PointTouch {
+  double share = 0.0;     // of the arc that is free
+  std::size_t point = 0;  // index
+};
+
+/// Which of many points the rectangle with its margin first touches on the arc between two poses, as
+/// FirstHit does for one, but much faster; nothing is checked. A negative margin makes the rectangle
+/// smaller.
+std::optional<PointTouch> FirstTouch(const RectangleOptions& robot, const slam::Pose2& from,
+                                     const slam::Pose2& to, const std::vector<Eigen::Vector2d>& points);
 
 }  // namespace ariadne::control

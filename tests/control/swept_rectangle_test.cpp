@@ -104,7 +104,24 @@ TEST(SweptRectangle, FindsAThinThingBetweenTwoPoses) {
   ASSERT_TRUE(hit.has_value());
   EXPECT_NEAR(hit->share, (1.5 - 0.4) / 3.0, 0.001);
   EXPECT_FALSE(FirstHit(Bare(), way, {{{{1.5, 0.302}, {1.5, 2.0}}}, {}}).has_value());
-  EXPECT_NEAR(*FirstTouch(Bare(), way[0], way[1], {1.5, 0.0}, 0.1), (1.5 - 0.5) / 3.0, 0.001);
+}
+
+TEST(SweptRectangle, TouchesOfManyPointsTheFirst) {
+  RandomStream stream = NamedStream(4, "test/sweep");
+  int touches = 0;
+  for (int trial = 0; trial < 100; ++trial) {
+    const std::vector<Pose2> poses = DrawArcs(stream);
+    std::vector<Vector2d> points;
+    for (int i = 0; i < 5; ++i) points.emplace_back(DrawUniform(stream, -1, 1), DrawUniform(stream, -1, 1));
+    const auto hit = FirstHit({}, {poses[0], poses[1]}, {{}, points});
+    const auto touch = FirstTouch({}, poses[0], poses[1], points);
+    ASSERT_EQ(hit.has_value(), touch.has_value());
+    if (!hit) continue;
+    ++touches;
+    EXPECT_NEAR(touch->share, hit->share, 0.02);
+    EXPECT_TRUE(FirstHit({}, {poses[0], poses[1]}, {{}, {points[touch->point]}}).has_value());
+  }
+  EXPECT_GT(touches, 10);
 }
 
 TEST(SweptRectangle, IsTheSameInAnyFrame) {
