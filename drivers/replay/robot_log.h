@@ -23,9 +23,9 @@ namespace ariadne::drivers {
 ///     records, until the end of the file:
 ///       uint32   length of the payload [B], at least 1
 ///       uint32   CRC-32 (of zlib, Ethernet) of these four bytes of length and the payload
-///       payload  uint8 kind as in CallKind, and its fields
-/// The fields, where f64 and f32 are IEEE numbers bit by bit, and a list is a uint32 count and its
-/// elements:
+///       payload  uint8 kind as in CallKind, and its fields; plus 0x80 where these are compressed, and
+///                then a uint32 with their size [B] and LZF
+/// The fields, where f64 are IEEE numbers bit by bit, and a list is a uint32 count and its elements:
 ///     now            f64 time
 ///     mounting       pose: f64 quaternion w x y z, f64 translation x y z
 ///     scan           scanner, odometry, list of sweeps
