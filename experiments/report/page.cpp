@@ -15,6 +15,10 @@ th { position: sticky; top: 0; background: #fff; border-bottom: 2px solid #888 }
 td:first-child, th:first-child { text-align: left }
 div.table { overflow: auto; max-height: 32rem }
 summary { cursor: pointer; color: #555 }
+@media (prefers-color-scheme: dark) {
+  :root { color-scheme: dark } body { background: #101214; color: #ddd }
+  th { background: #101214 } th, td { border-color: #333 } summary { color: #aaa } img { border-color: #333 }
+}
 </style>
 )";
 
@@ -70,7 +74,8 @@ std::string SectionHtml(const PageSection& section) {
 std::string ToHtml(const Page& page) {
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<meta "
-      "charset=\"utf-8\">\n<title>{0}</title>\n{1}<h1>{0}</h1>\n",
+      "charset=\"utf-8\">\n<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{0}</title>\n{1}<h1>{0}</h1>\n",
       Escaped(page.title), kStyle);
   for (const PageSection& section : page.sections) html += SectionHtml(section);
   if (!page.files.empty()) html += "<h2>Files</h2>\n<ul>\n";

@@ -34,14 +34,15 @@ function robustRange(values) {
   return [sorted[Math.round(0.01 * (sorted.length - 1))], sorted[Math.round(0.99 * (sorted.length - 1))]];
 }
 
-// Where things are, apart from stray points far away.
-function robustBox(scene) {
+// Where things are, apart from stray points far away: a box, and places within it that a view must show.
+function boundsOf(scene) {
   const columns = [[], [], []];
-  const clouds = [scene.positions, scene.mesh.positions];
-  for (const cloud of clouds) {
-    const stride = 3 * Math.ceil(cloud.length / 3 / 50000);
-    for (let i = 0; i < cloud.length; i += stride) columns.forEach((column, a) => column.push(cloud[i + a]));
+  const sample = [];
+  for (const cloud of [scene.positions, scene.mesh.positions]) {
+    const stride = 3 * Math.ceil(cloud.length / 3 / 20000);
+    for (let i = 0; i < cloud.length; i += stride) sample.push([cloud[i], cloud[i + 1], cloud[i + 2]]);
   }
+  for (const p of sample) columns.forEach((column, a) => column.push(p[a]));
   const ranges = columns.map(robustRange);
   const certain = scene.stops.map((stop) => stop.position);
   for (const path of [...scene.driven, ...scene.planned]) certain.push(...path.points);
@@ -51,7 +52,9 @@ function robustBox(scene) {
   }
   const seen = columns[0].length > 0;
   const at = (a) => certain.map((p) => p[a]).concat(seen ? ranges[a] : []);
-  return { min: [0, 1, 2].map((a) => Math.min(...at(a))), max: [0, 1, 2].map((a) => Math.max(...at(a))) };
+  const min = [0, 1, 2].map((a) => Math.min(...at(a))), max = [0, 1, 2].map((a) => Math.max(...at(a)));
+  const within = sample.filter((p) => p.every((x, a) => x >= min[a] && x <= max[a]));
+  return { min, max, places: within.concat(certain) };
 }
 
 function lastStep(header) {
@@ -74,7 +77,7 @@ export function decode(headerText, arraysText) {
   mesh.positions = places(take(Uint16Array, 3 * mesh.vertices), box);
   scene.info = infoOf(scene, take(Uint8Array, points.reflectance ? points.count : 0));
   mesh.rgb = take(Uint8Array, mesh.colors ? 3 * mesh.vertices : 0);
-  scene.bounds = robustBox(scene);
+  scene.bounds = boundsOf(scene);
   scene.heights = [scene.bounds.min[2], scene.bounds.max[2]];
   scene.lastStep = lastStep(scene);
   return scene;

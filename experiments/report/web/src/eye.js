@@ -26,7 +26,7 @@ export function makeEye(canvas, bounds, onMove) {
     onMove();
   };
 
-  // Looks along a direction from as near as all corners of the box allow.
+  // Looks along a direction at the middle of the picture, from as near as all places allow.
   const frame = (direction, fov) => {
     const middle = box.getCenter(new THREE.Vector3());
     const probe = new THREE.PerspectiveCamera(fov, camera.aspect, 0.1, 10);
@@ -35,13 +35,16 @@ export function makeEye(canvas, bounds, onMove) {
     probe.lookAt(0, 0, 0);
     probe.updateMatrixWorld();
     const tan = Math.tan((fov * Math.PI) / 360);
+    const turned = probe.quaternion.clone().invert();
+    const seen = bounds.places.map((p) => new THREE.Vector3(...p).sub(middle).applyQuaternion(turned));
+    const centre = (axis) => (Math.min(...seen.map((p) => p[axis])) + Math.max(...seen.map((p) => p[axis]))) / 2;
+    const shift = new THREE.Vector3(centre('x'), centre('y'), 0);
     let distance = 0;
-    for (let i = 0; i < 8; ++i) {
-      const corner = new THREE.Vector3(...[0, 1, 2].map((a) => (i & (1 << a) ? bounds.max : bounds.min)[a]));
-      const seen = corner.sub(middle).applyQuaternion(probe.quaternion.clone().invert());
-      const needed = Math.max(Math.abs(seen.y) / tan, Math.abs(seen.x) / (tan * camera.aspect));
-      distance = Math.max(distance, 1.05 * needed + seen.z);
+    for (const p of seen) {
+      const needed = Math.max(Math.abs(p.y - shift.y) / tan, Math.abs(p.x - shift.x) / (tan * camera.aspect));
+      distance = Math.max(distance, 1.06 * needed + p.z);
     }
+    middle.add(shift.applyQuaternion(probe.quaternion));
     place(middle.clone().addScaledVector(direction.normalize(), distance), middle, fov, false);
   };
 

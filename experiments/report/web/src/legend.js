@@ -9,7 +9,7 @@ export function makeLegend(stage, scene) {
     element('div', { class: 'ends' }, element('span', {}, low), element('span', {}, high)),
   ];
   const show = (coloring) => {
-    const [low, high] = scene.heights.map((z) => `${z.toFixed(1)} m`);
+    const [low, high] = scene.heights.map((z) => `${(Math.round(10 * z) / 10 + 0).toFixed(1)} m`);
     const contents = {
       scan: ['one colour per scan'],
       height: bar(scene.colors.height, low, `height ${high}`),

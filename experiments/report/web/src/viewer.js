@@ -13,10 +13,9 @@ function cutsOf({ bounds }) {
   return { low, high: high + 0.05, open: low + 0.85 * (high - low) };
 }
 
-function viewControls(scene, picture, setCut) {
+function viewControls(scene, picture, setCut, setStep) {
   const { views } = picture.eye;
   const cuts = cutsOf(scene);
-  const look = (view) => () => { setCut(cuts.open); view(); };
   const stand = panel.select('Stand where a scan was taken', [
     ['', 'choose …'], ...scene.stops.map((stop, i) => [i, `${stop.step}: ${stop.name}`]),
   ], '', (i) => {
@@ -24,9 +23,18 @@ function viewControls(scene, picture, setCut) {
     setCut(cuts.high);
     views.stand(scene.stops[i]);
   });
-  const leave = (view) => () => { stand.box.value = ''; look(view)(); };
-  return panel.group('Look from', panel.button('Oblique', 'from above at an angle', leave(views.oblique)),
-    panel.button('Top', 'straight from above, nearly to scale', leave(views.top)),
+  const look = (view) => () => {
+    stand.box.value = '';
+    setCut(cuts.open);
+    view();
+  };
+  const reset = () => {
+    setStep(scene.lastStep);
+    look(views.oblique)();
+  };
+  return panel.group('Look from', panel.button('Oblique', 'from above at an angle', look(views.oblique)),
+    panel.button('Top', 'straight from above, nearly to scale', look(views.top)),
+    panel.button('Reset', 'the whole map, as at first', reset),
     ...(scene.stops.length ? [stand.object] : []));
 }
 
@@ -36,7 +44,7 @@ function pointControls(scene, picture, legend) {
     picture.setUniform('coloring', colorings.indexOf(name));
     legend.show(name);
   };
-  const usual = Math.min(0.1, Math.max(0.02, 1.3 * scene.points.spacing));
+  const usual = Math.min(0.1, Math.max(0.03, 1.3 * scene.points.spacing));
   color('height');
   return panel.group('Points',
     panel.select('Colour by', usable.map((name) => [name, name]), 'height', color).object,
@@ -95,7 +103,7 @@ function start(root) {
   const cut = panel.slider('Cut off above', { min: cuts.low, max: cuts.high, step: 0.05, value: cuts.open }, metres, picture.setCut);
   const growth = growthControl(scene, picture);
   const legend = makeLegend(stage, scene);
-  side.append(viewControls(scene, picture, cut.set), panel.group('Map', ...(scene.lastStep > 0 ? [growth.object] : []), cut.object),
+  side.append(viewControls(scene, picture, cut.set, growth.set), panel.group('Map', ...(scene.lastStep > 0 ? [growth.object] : []), cut.object),
     ...(scene.points.count ? [pointControls(scene, picture, legend)] : []), shownControls(scene, picture));
   root.append(panel.element('p', { class: 'caption' }, captionOf(scene)));
   picture.eye.views.oblique();
