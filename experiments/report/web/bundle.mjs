@@ -23,13 +23,15 @@ const result = buildSync({
 const program = result.outputFiles[0].text;
 if (/<\/script|<!--|[^\x00-\x7f]|\)viewer"/i.test(program)) throw new Error('the bundle cannot stand within HTML or C++');
 
-const pieces = program.match(/[^]{1,60000}/g).map((piece) => `    R"viewer(${piece})viewer",\n`);
+const pieces = program.match(/[^]{1,60000}/g).map((piece) => `    R"viewer(${piece})viewer"sv,\n`);
 writeFileSync(out, `// Made by experiments/report/web/bundle.mjs
 #include <array>
 
 #include "experiments/report/viewer_bundle.h"
 
 namespace ariadne::experiments {
+
+using namespace std::literals; // lengths that compilers need not count
 
 std::span<const std::string_view> ViewerBundle() {
   static constexpr std::array<std::string_view, ${pieces.length}> kPieces{

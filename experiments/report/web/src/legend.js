@@ -17,7 +17,9 @@ export function makeLegend(stage, scene) {
     };
     legend.replaceChildren(...contents[coloring]);
   };
-  return { show };
+  const setVisible = (visible) => { legend.hidden = !visible; };
+  setVisible(scene.points.count > 0);
+  return { show, setVisible };
 }
 
 const plural = (count, word) => `${count.toLocaleString('en')} ${word}${count === 1 ? '' : 's'}`;

@@ -5,8 +5,6 @@ import { kColors, makePicture } from './picture.js';
 import { colorings } from './points.js';
 import style from './style.css';
 
-const metres = (value) => `${value.toFixed(2)} m`;
-
 // The heights at which the map can be cut, and that at which one looks into the rooms.
 function cutsOf({ bounds }) {
   const [low, high] = [bounds.min[2], bounds.max[2]];
@@ -52,7 +50,7 @@ function pointControls(scene, picture, legend) {
       (size) => picture.setUniform('dotSize', size)).object);
 }
 
-function shownControls(scene, picture) {
+function shownControls(scene, picture, legend) {
   const parts = [
     ['points', 'points', scene.points.count, true],
     ['mesh', 'mesh', scene.mesh.triangles, scene.points.count === 0],
@@ -64,7 +62,10 @@ function shownControls(scene, picture) {
       `linear-gradient(90deg, ${kColors.seen} 50%, ${kColors.unseen} 50%)`],
   ];
   return panel.group('Show', ...parts.filter((part) => part[2]).map(([name, label, , on, color]) =>
-    panel.checkbox(label, on, (visible) => picture.show(name, visible), color)));
+    panel.checkbox(label, on, (visible) => {
+      picture.show(name, visible);
+      if (name === 'points') legend.setVisible(visible);
+    }, color)));
 }
 
 function growthControl(scene, picture) {
@@ -100,11 +101,14 @@ function start(root) {
     return;
   }
   const cuts = cutsOf(scene);
-  const cut = panel.slider('Cut off above', { min: cuts.low, max: cuts.high, step: 0.05, value: cuts.open }, metres, picture.setCut);
+  const whole = (height) => height > cuts.high - 0.05; // strays above count as well
+  const cut = panel.slider('Cut off above', { min: cuts.low, max: cuts.high, step: 0.05, value: cuts.open },
+    (height) => (whole(height) ? 'nothing' : `${height.toFixed(2)} m`),
+    (height) => picture.setCut(whole(height) ? 1e6 : height));
   const growth = growthControl(scene, picture);
   const legend = makeLegend(stage, scene);
   side.append(viewControls(scene, picture, cut.set, growth.set), panel.group('Map', ...(scene.lastStep > 0 ? [growth.object] : []), cut.object),
-    ...(scene.points.count ? [pointControls(scene, picture, legend)] : []), shownControls(scene, picture));
+    ...(scene.points.count ? [pointControls(scene, picture, legend)] : []), shownControls(scene, picture, legend));
   root.append(panel.element('p', { class: 'caption' }, captionOf(scene)));
   picture.eye.views.oblique();
   root.picture = picture; // for scripts and tests
