@@ -154,18 +154,6 @@ void RequireSweep(const RectangleOptions& robot, const std::vector<Pose2>& poses
   }
 }
 
-/// Calls visit(index, gap) with the gap of each obstacle as a function of the pose.
-template <typename Visit>
-void ForEachObstacle(const RectangleOptions& robot, const GroundObstacles& obstacles, const Visit& visit) {
-  for (std::size_t i = 0; i < obstacles.outlines.size(); ++i) {
-    visit(i, [&](const Pose2& pose) { return GapTo(robot, pose, obstacles.outlines[i]); });
-  }
-  for (std::size_t i = 0; i < obstacles.points.size(); ++i) {
-    visit(obstacles.outlines.size() + i,
-          [&](const Pose2& pose) { return GapTo(robot, pose, obstacles.points[i]); });
-  }
-}
-
 }  // namespace
 
 Ring BoxOutline(const Pose2& T_map_box, double length, double width) {
@@ -230,12 +218,16 @@ std::optional<SweepHit> FirstHit(const RectangleOptions& robot, const std::vecto
   std::optional<SweepHit> hit;
   for (std::size_t k = 0; k < poses.size() && !hit; ++k) {
     const Pose2& to = poses[std::min(k + 1, poses.size() - 1)];
-    const double half_sweep = HalfSweep(robot, poses[k], to);
-    ForEachObstacle(robot, obstacles, [&](std::size_t i, const auto& gap) {
-      if (gap(poses[k]) > 2.0 * half_sweep) return;  // most are far
+    const double sweep = 2.0 * HalfSweep(robot, poses[k], to);
+    for (std::size_t i = 0; i < obstacles.outlines.size(); ++i) {
+      const auto gap = [&](const Pose2& pose) { return GapTo(robot, pose, obstacles.outlines[i]); };
+      if (gap(poses[k]) > sweep) continue;  // most are far
       const std::optional<double> share = FirstOnArc(robot, poses[k], to, gap);
       if (share && (!hit || *share < hit->share)) hit = SweepHit{k, *share, {}, i};
-    });
+    }
+    const std::optional<PointTouch> touch = FirstTouch(robot, poses[k], to, obstacles.points);
+    if (touch && (!hit || touch->share < hit->share))
+      hit = SweepHit{k, touch->share, {}, obstacles.outlines.size() + touch->point};
     if (hit) hit->T_map_robot = Interpolate(poses[k], to, hit->share);
   }
   return hit;

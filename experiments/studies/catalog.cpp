@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "experiments/studies/ablation_control.h"
 #include "experiments/studies/ablation_features.h"
 #include "experiments/studies/ablation_graph.h"
 #include "experiments/studies/ablation_matching.h"
@@ -18,6 +19,7 @@
 #include "experiments/studies/fig_06.h"
 #include "experiments/studies/fig_07.h"
 #include "experiments/studies/fig_09.h"
+#include "experiments/studies/fig_10.h"
 #include "experiments/studies/fig_11.h"
 #include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
@@ -106,6 +108,7 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<Fig07Options>("fig_07", "two labelled polygons and their union", RunFig07),
       MakeStudy<Fig09Options>("fig_09", "paths of the controller to one pose from many", CheckFig09,
                               RunFig09),
+      MakeStudy<Fig10Options>("fig_10", "trajectories to next views, around boxes of objects", RunFig10),
       MakeStudy<Fig11Options>("fig_11", "the octree of a scan at several depths", RunFig11),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
@@ -121,7 +124,10 @@ const std::vector<Study>& AllStudies() {
                                     CheckAblationNbv, RunAblationNbv),
       MakeStudy<AblationNbv3dOptions>("ablation_nbv_3d",
                                       "view planners in buildings, with 3D scans and registration",
-                                      CheckAblationNbv3d, RunAblationNbv3d)};
+                                      CheckAblationNbv3d, RunAblationNbv3d),
+      MakeStudy<AblationControlOptions>("ablation_control",
+                                        "the paper's controller, its fallbacks, and pure pursuit",
+                                        CheckAblationControl, RunAblationControl)};
   return kStudies;
 }
 

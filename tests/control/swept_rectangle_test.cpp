@@ -113,7 +113,9 @@ TEST(SweptRectangle, TouchesOfManyPointsTheFirst) {
     const std::vector<Pose2> poses = DrawArcs(stream);
     std::vector<Vector2d> points;
     for (int i = 0; i < 5; ++i) points.emplace_back(DrawUniform(stream, -1, 1), DrawUniform(stream, -1, 1));
-    const auto hit = FirstHit({}, {poses[0], poses[1]}, {{}, points});
+    std::vector<Ring> rings;  // the same as outlines of one corner, which are looked at one by one
+    for (const Vector2d& p : points) rings.push_back({p});
+    const auto hit = FirstHit({}, {poses[0], poses[1]}, {rings, {}});
     const auto touch = FirstTouch({}, poses[0], poses[1], points);
     ASSERT_EQ(hit.has_value(), touch.has_value());
     if (!hit) continue;
