@@ -208,8 +208,10 @@ drivers::SimulatedRobotOptions CoarseRobotOptions() {
 slam::MapperOptions RobotMapperOptions() {
   slam::MapperOptions options;
   options.registration.method = slam::MatchMethod::kGraph;
-  options.icp.start_distance = options.icp.max_distance;
   options.icp.one_sided = true;
+  options.icp.guess_share = 0.001;
+  options.registration.graph.odometry_position = 0.02;
+  options.registration.graph.odometry_angle = 0.01;
   return options;
 }
 

@@ -19,8 +19,8 @@ planning::ViewPlannerOptions RobotPlannerOptions();
 /// A coarse but real scan: 181 beams in 128 slices (Sec. 2.2), which takes 1.7 s.
 drivers::SimulatedRobotOptions CoarseRobotOptions();
 
-/// Registration for scans that see each side of a thin wall by itself: a gate no wider than odometry errs
-/// in a leg, since a wider one pairs the two sides; and poses from a graph.
+/// Registration for scans that see each side of a thin wall by itself, from a guess that errs little: what
+/// the surfaces hardly hold stays where odometry has it, in the alignments and in the graph.
 slam::MapperOptions RobotMapperOptions();
 
 struct Explore3dOptions {

@@ -95,6 +95,7 @@ Closure TryClosure(ScanMap& map, const ClosureCandidate& candidate, const MatchO
   MapScan& to = map.scans[last];
   AlignOptions wide = align;
   wide.assess = true;
+  wide.guess_share = 0.0;  // a closure is to contradict the guess, where it must
   wide.max_iterations = std::min(align.max_iterations, kMaxIterations);
   wide.start_distance = std::max(align.start_distance, candidate.radius);
   if (candidate.radius > align.start_distance)

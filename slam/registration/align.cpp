@@ -179,7 +179,7 @@ AlignResult Align(const AlignModel& model, const AlignData& data, const Pose3& T
     return BadInput("the guess of the pose is not finite", T_model_data_guess);
   const Pose3 start = options.search_radius > 0.0 ? FindStart(model, data, T_model_data_guess, options)
                                                   : T_model_data_guess;
-  AlignProblem problem(model, data, options);
+  AlignProblem problem(model, data, T_model_data_guess, options);
   AlignResult result = Iterate(problem, start, options, on_iteration);
   if (result.iterations.empty()) return result;
   result.pairs = result.iterations.back().pairs;

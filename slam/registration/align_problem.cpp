@@ -34,7 +34,8 @@ std::vector<double> SquaredDistances(const Correspondences& pairs) {
 
 }  // namespace
 
-AlignProblem::AlignProblem(const AlignModel& model, const AlignData& data, const AlignOptions& options)
+AlignProblem::AlignProblem(const AlignModel& model, const AlignData& data, const Pose3& T_model_data_guess,
+                           const AlignOptions& options)
     : model_(model),
       data_(data),
       options_(options),
@@ -42,7 +43,8 @@ AlignProblem::AlignProblem(const AlignModel& model, const AlignData& data, const
       tracker_(model.tree, data.points),
       center_model_(Centroid(model.tree.points())),
       center_data_(Centroid(data.points)),
-      length_(CharacteristicLength(data.points, center_data_)) {}
+      length_(CharacteristicLength(data.points, center_data_)),
+      guess_(PairsOfGuess(T_model_data_guess, length_)) {}
 
 Improvement AlignProblem::Improve(const Pose3& T_model_data, double max_distance) {
   FindPairs(T_model_data, max_distance);
@@ -84,6 +86,21 @@ void AlignProblem::ChooseWeights(const Pose3& T_model_data, bool with_kernel) {
   weight_ = ChooseWeight(std::move(squared_residuals), options_.trim, kernel, options_.kernel_scale);
 }
 
+PairMoments AlignProblem::HoldToGuess(PairMoments moments) const {
+  const double weight = options_.guess_share * moments.weight() / static_cast<double>(guess_.data.size());
+  for (std::size_t k = 0; weight > 0.0 && k < guess_.data.size(); ++k)
+    moments.Add(guess_.model[k] - center_model_, guess_.data[k] - center_data_, weight, 0.0);
+  return moments;
+}
+
+void AlignProblem::HoldToGuess(const Pose3& T_model_data, NormalEquations& equations) const {
+  const double weight = options_.guess_share * equations.weight / static_cast<double>(guess_.data.size());
+  const Pose3 T_data_model = T_model_data.Inverse();
+  for (std::size_t k = 0; weight > 0.0 && k < guess_.data.size(); ++k)
+    AddPointTerm(equations, guess_.data[k] - center_data_, guess_.data[k] - T_data_model * guess_.model[k],
+                 weight);
+}
+
 Improvement AlignProblem::FitPoints() const {
   const std::vector<Eigen::Vector3d>& model_points = model_.tree.points();
   const PairMoments moments = parallel_.Reduce(
@@ -100,8 +117,9 @@ Improvement AlignProblem::FitPoints() const {
         return sum;
       });
   if (moments.pairs == 0) return {};
+  const PairMoments held = HoldToGuess(moments);
   const RigidFit fit =
-      options_.closed_form == ClosedForm::kQuaternion ? FitByQuaternion(moments) : FitBySvd(moments);
+      options_.closed_form == ClosedForm::kQuaternion ? FitByQuaternion(held) : FitBySvd(held);
   const Pose3& centered = fit.T_model_data;  // between coordinates relative to the two centers
   const Pose3 T_model_data{centered.rotation,
                            centered.translation + center_model_ - centered.rotation * center_data_};
@@ -112,9 +130,10 @@ Improvement AlignProblem::FitPoints() const {
 Improvement AlignProblem::StepToPlanes(const Pose3& T_model_data) const {
   const PlaneMetric metric{model_.tree.points(), model_.surfaces, data_.points, data_.surfaces,
                            options_.metric};
-  const NormalEquations equations =
+  NormalEquations equations =
       GatherNormalEquations(metric, *pairs_, T_model_data, center_data_, weight_, parallel_);
   if (equations.pairs == 0) return {};
+  HoldToGuess(T_model_data, equations);
   const Pose3::Tangent step = SolveStep(equations, length_);
   return {T_model_data * ExpAbout(center_data_, step), equations.pairs,
           std::sqrt(equations.sum_squared / equations.weight), true};

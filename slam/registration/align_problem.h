@@ -5,7 +5,10 @@
 #include "slam/base/parallel.h"
 #include "slam/registration/align.h"
 #include "slam/registration/correspondence_tracker.h"
+#include "slam/registration/gauss_newton.h"
+#include "slam/registration/guess_pairs.h"
 #include "slam/registration/pair_weight.h"
+#include "slam/registration/rigid_fit.h"
 
 namespace ariadne::slam {
 
@@ -20,7 +23,8 @@ struct Improvement {
 /// Two clouds under one metric: the part of Align() that looks at points. Refers to its arguments.
 class AlignProblem {
  public:
-  AlignProblem(const AlignModel& model, const AlignData& data, const AlignOptions& options);
+  AlignProblem(const AlignModel& model, const AlignData& data, const Pose3& T_model_data_guess,
+               const AlignOptions& options);
 
   /// Pairs the points at a pose, and finds the pose (point-to-point) or the Gauss-Newton step (planes) that
   /// makes the error of these pairs small.
@@ -33,6 +37,9 @@ class AlignProblem {
   void FindPairs(const Pose3& T_model_data, double max_distance);
   void DropUnusablePairs(const Pose3& T_model_data);
   void ChooseWeights(const Pose3& T_model_data, bool with_kernel);
+  /// The same with the guess, which counts as a share of the pairs.
+  PairMoments HoldToGuess(PairMoments moments) const;
+  void HoldToGuess(const Pose3& T_model_data, NormalEquations& equations) const;
   Improvement FitPoints() const;
   Improvement StepToPlanes(const Pose3& T_model_data) const;
 
@@ -47,6 +54,7 @@ class AlignProblem {
   Eigen::Vector3d center_model_;
   Eigen::Vector3d center_data_;
   double length_;  // makes rotations comparable with translations [m]
+  GuessPairs guess_;
 };
 
 }  // namespace ariadne::slam

@@ -90,6 +90,11 @@ NormalEquations GatherNormalEquations(const PlaneMetric& metric, const Correspon
       });
 }
 
+void AddPointTerm(NormalEquations& equations, const Eigen::Vector3d& d_center, const Eigen::Vector3d& e,
+                  double weight) {
+  for (int axis = 0; axis < 3; ++axis) AddTerm(equations, Eigen::Vector3d::Unit(axis), d_center, e, weight);
+}
+
 std::vector<double> SquaredResiduals(const PlaneMetric& metric, const Correspondences& pairs,
                                      const Pose3& T_model_data) {
   const Eigen::Matrix3d R_data_model = T_model_data.RotationMatrix().transpose();

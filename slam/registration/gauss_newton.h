@@ -62,6 +62,11 @@ NormalEquations GatherNormalEquations(const PlaneMetric& metric, const Correspon
                                       const Pose3& T_model_data, const Eigen::Vector3d& center_data,
                                       const PairWeight& weight, const Parallel& parallel);
 
+/// Adds a pair of points without surfaces, which counts with a weight: e = T d - m in the data frame. Only
+/// to what the step is solved from, H and g.
+void AddPointTerm(NormalEquations& equations, const Eigen::Vector3d& d_center, const Eigen::Vector3d& e,
+                  double weight);
+
 /// The squared residuals of all pairs [m^2].
 std::vector<double> SquaredResiduals(const PlaneMetric& metric, const Correspondences& pairs,
                                      const Pose3& T_model_data);

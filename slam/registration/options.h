@@ -30,6 +30,7 @@ struct AlignOptions {
   double max_distance = 0.5;
   double start_distance = 0.0;
   double shrink = 0.8;
+  double guess_share = 0.0;
   double trim = 1.0;
   RobustKernel kernel = RobustKernel::kNone;
   double kernel_scale = 0.0;
@@ -60,6 +61,9 @@ struct AlignOptions {
           "gate of the first iteration, for a poor guess; 0: max_distance throughout");
     visit("shrink", self.shrink, Unit(""), Range{0.1, 0.99},
           "factor per iteration from start_distance down to max_distance");
+    visit("guess_share", self.guess_share, Unit(""), Range{0.0, 1.0},
+          "the guess counts as much as this share of the pairs: directions that the surfaces hardly hold "
+          "stay where it has them, and wrong pairs do not carry the data away; 0: only a start (3.1)");
     visit("trim", self.trim, Unit(""), Range{0.05, 1.0},
           "share of the pairs, the closest ones, that counts");
     visit("kernel", self.kernel,

@@ -53,6 +53,7 @@ AlignOptions Coarse(AlignOptions options) {
   options.max_iterations = kIterations;
   options.convergence_rms = 1e-3 * radius;
   options.assess = false;
+  options.guess_share = 0.0;  // a start of the lattice is no guess
   options.threads = 1;
   return options;
 }

@@ -52,6 +52,37 @@ TEST(CountOverlap, AsksForEachPointOfTheData) {
   EXPECT_EQ(CountOverlap(many, few, 0.5, Parallel(1)), 1u);
 }
 
+/// A wall of 2 m x 2 m as a scanner sees it that stands 1.5 m from its surface at x = `face` [m], on the
+/// side of `side`; the laser turned by some angle.
+MapScan WallFrom(double side, double face, double turned) {
+  std::vector<Eigen::Vector3d> positions;
+  const Pose3 T_map_laser{ExpSo3({0.0, 0.0, turned}), {face + 1.5 * side, 0.0, 1.0}};
+  for (int y = -10; y <= 10; ++y) {
+    for (int z = 0; z <= 20; ++z)
+      positions.push_back(T_map_laser.Inverse() * Eigen::Vector3d(face, 0.1 * y, 0.1 * z));
+  }
+  MapScan scan = ScanOf(positions, T_map_laser);
+  RequireSurfaces(scan, 10, Parallel(1));
+  return scan;
+}
+
+TEST(CountOverlap, OneSidedTellsTheSidesOfAThinWall) {
+  const double thickness = 0.12, gate = 0.2;
+  const MapScan here = WallFrom(-1.0, 0.0, 0.3), there = WallFrom(1.0, thickness, -2.0);
+  const MapScan here_too = WallFrom(-1.0, 0.03, 1.1);
+  const std::size_t all = here.points_laser.size();
+  EXPECT_EQ(CountOverlap(here, there, gate, Parallel(1), false), all);
+  EXPECT_EQ(CountOverlap(here, there, gate, Parallel(1), true), 0u);
+  EXPECT_EQ(CountOverlap(there, here, gate, Parallel(2), true), 0u);
+  EXPECT_EQ(CountOverlap(here, here_too, gate, Parallel(1), true), all);
+}
+
+TEST(CountOverlap, OneSidedLetsPointsWithoutSurfaceCount) {
+  MapScan row = Row(0, 10);  // points on a line have no normal
+  RequireSurfaces(row, 5, Parallel(1));
+  EXPECT_EQ(CountOverlap(row, row, 0.5, Parallel(1), true), 10u);
+}
+
 TEST(FindOverlapping, WantsMoreThanTheGivenPairs) {
   const std::vector<MapScan> scans = RowsFrom({0, 5, 8});
   const auto overlapping = [&](std::size_t current, std::size_t min_pairs) {

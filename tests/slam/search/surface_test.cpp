@@ -56,6 +56,20 @@ TEST(EstimateSurface, FindsThePlaneInAnyFrame) {
   }
 }
 
+TEST(EstimateSurface, HasANormalThatFacesTheOrigin) {
+  RandomStream stream = NamedStream(1, "surface_test/facing");
+  const auto patch = PlanePatch(0.0);
+  for (int i = 0; i < 20; ++i) {
+    const Pose3 T = DrawMotion(stream, 10.0, 3.0);
+    const KdTree tree(Moved(T, patch));
+    // The scanner is at the origin: on which side of the plane it is, the untouched patch knows.
+    const double height = (T.Inverse() * Eigen::Vector3d::Zero()).z();
+    const Eigen::Vector3d towards = T.rotation * Eigen::Vector3d(0.0, 0.0, height > 0.0 ? 1.0 : -1.0);
+    for (std::size_t p = 0; p < patch.size(); p += 17)
+      EXPECT_GT(EstimateSurface(tree, p, 10).normal.dot(towards), 0.999) << i << ", " << height;
+  }
+}
+
 TEST(EstimateSurface, AveragesNoise) {
   const KdTree tree(PlanePatch(0.005));
   double worst = 0.0, sum_squared = 0.0;
