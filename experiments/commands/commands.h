@@ -8,6 +8,7 @@ namespace ariadne::experiments {
 /// program: 0, or 1 where the work ended, but not well (a scan was not registered). Errors are thrown.
 void AddRegisterCommand(CLI::App& app, int& status);
 void AddOptimizeCommand(CLI::App& app, int& status);
+void AddExploreCommand(CLI::App& app, int& status);
 void AddRunCommand(CLI::App& app, int& status);
 void AddConvertCommand(CLI::App& app);
 void AddInfoCommand(CLI::App& app);

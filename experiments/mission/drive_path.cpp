@@ -1,54 +1,135 @@
 #include "experiments/mission/drive_path.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "experiments/mission/contact.h"
+#include "slam/geometry/angles.h"
 
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kSlow = 0.1;         // when backing off [m/s]
-constexpr double kSlowTurning = 0.2;  // [rad/s]
-constexpr double kBackOffTime = 6.0;  // [s]
-constexpr double kBackTurn = 0.35;    // [rad]
+constexpr double kSlow = 0.15;         // when backing off [m/s]
+constexpr double kSlowTurning = 0.3;   // [rad/s]
+constexpr double kHaltTime = 6.0;      // [s]
+constexpr double kStartingTime = 6.0;  // a contact at the start has so long to clear [s]
+constexpr double kAdvance = 0.08;      // [m]
+constexpr double kAdvanceTurn = 0.12;  // [rad]
+constexpr double kLeft = 0.06;         // [m]
+constexpr double kLeftTurn = 0.1;      // [rad]
+constexpr double kWriggleTime = 1.5;   // for one motion [s]
+constexpr int kWriggles = 2;           // rounds
+constexpr double kBeside = 0.08;       // of cells and the robot [m]
+constexpr double kTrailStep = 0.01;    // [m]
+constexpr double kTrailTurn = 0.02;    // [rad]
+constexpr double kMostBackTurn = 1.6;  // [rad]
+
+double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
+  return std::abs(slam::WrapAngle(a.angle - b.angle));
+}
 
 /// A drive under way.
 class PathDrive {
  public:
-  PathDrive(drivers::Robot& robot, const slam::Pose2& T_map_odom, const DriveOptions& options,
+  PathDrive(drivers::Robot& robot, Localizer localizer, const DriveTask& task, const DriveOptions& options,
             const std::function<bool()>& stop)
-      : robot_(robot), T_map_odom_(T_map_odom), options_(options), stop_(stop) {
-    last_ = T_map_base();
+      : robot_(robot), localizer_(std::move(localizer)), task_(task), options_(options), stop_(stop) {
+    const slam::Pose2 start = localizer_.T_map_base();
+    report_.poses_map.push_back(start);
+    advanced_to_ = start;
+    advanced_at_ = robot.Now();
+    for (const Eigen::Vector2d& p_map : task.obstacles_map) {
+      if (control::GapTo(options.avoid.robot, start, p_map) > kBeside) known_map_.push_back(p_map);
+    }
   }
 
-  DriveReport Along(const std::vector<slam::Pose2>& path_map);
+  DriveReport Run();
 
  private:
-  slam::Pose2 T_map_base() const { return T_map_odom_ * robot_.State().odometry.T_odom_base; }
+  void NoteAdvance();
+  bool Stalls() const { return robot_.Now() - advanced_at_ > options_.patience; }
+  bool MustStop() const { return stop_ && stop_(); }
+  std::vector<Eigen::Vector2d> KnownInTheWay() const;
   void Go(const control::DriveCommand& command);
+  control::DriveCommand GoAvoiding(const control::DriveCommand& wanted, bool known);
   void Halt();
   DriveReport Ended(DriveEnd end);
-  void BackOff(const control::DriveCommand& touching);
+  void BackOff();
+  void FollowBack(double start);
+  void Wriggle();
+  bool HasLeft(const slam::Pose2& place) const;
+  std::vector<slam::Pose2> WayBack() const;
 
   drivers::Robot& robot_;
-  slam::Pose2 T_map_odom_;
+  Localizer localizer_;
+  const DriveTask& task_;
   const DriveOptions& options_;
   const std::function<bool()>& stop_;
-  slam::Pose2 last_;
+  slam::Pose2 advanced_to_;
+  double advanced_at_ = 0.0;                     // [s]
+  std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
+  std::vector<Eigen::Vector2d> known_map_;
   DriveReport report_;
 };
+
+/// Obstacles that the map knows, nearby in the robot's frame, but for those that it stands beside: cells
+/// are coarse, and it must be able to leave.
+std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
+  std::vector<Eigen::Vector2d> points_base;
+  const slam::Pose2 T_base_map = localizer_.T_map_base().Inverse();
+  for (const Eigen::Vector2d& p_map : known_map_) {
+    const Eigen::Vector2d p_base = T_base_map * p_map;
+    if (p_base.norm() < options_.known_within) points_base.push_back(p_base);
+  }
+  return points_base;
+}
+
+/// Returns what it did instead of what was wanted.
+control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted, bool known) {
+  control::DriveCommand command = wanted;
+  held_by_base_.reset();
+  if (options_.avoid_obstacles) {
+    const drivers::Velocity velocity = robot_.State().velocity;
+    std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_);
+    const std::size_t seen = points_base.size();
+    if (known) {
+      const std::vector<Eigen::Vector2d> more = KnownInTheWay();
+      points_base.insert(points_base.end(), more.begin(), more.end());
+    }
+    const control::AvoidanceResult avoided =
+        control::Avoid(wanted, {velocity.forward, velocity.turning}, points_base, options_.avoid);
+    command = avoided.command;
+    if (avoided.blocked && avoided.p_base &&
+        std::find(points_base.begin(), points_base.begin() + static_cast<std::ptrdiff_t>(seen),
+                  *avoided.p_base) != points_base.begin() + static_cast<std::ptrdiff_t>(seen))
+      held_by_base_ = avoided.p_base;
+  }
+  NoteAdvance();
+  Go(command);
+  return command;
+}
+
+/// Noise lets a robot that is held up creep now and then; only a real advance counts.
+void PathDrive::NoteAdvance() {
+  const slam::Pose2& now = localizer_.T_map_base();
+  const double way = (now.translation - advanced_to_.translation).norm();
+  if (way < kAdvance && TurnBetween(now, advanced_to_) < kAdvanceTurn) return;
+  advanced_to_ = now;
+  advanced_at_ = robot_.Now();
+}
 
 void PathDrive::Go(const control::DriveCommand& command) {
   robot_.Drive({command.forward, command.turning});
   robot_.WaitUntil(robot_.Now() + options_.follow.period);
-  const slam::Pose2 now = T_map_base();
-  report_.length += (now.translation - last_.translation).norm();
-  last_ = now;
+  const slam::Pose2 now = localizer_.Update();
+  const slam::Pose2& before = report_.poses_map.back();
+  report_.length += (now.translation - before.translation).norm();
   report_.poses_map.push_back(now);
 }
 
 void PathDrive::Halt() {
-  const double deadline = robot_.Now() + kBackOffTime;
+  const double deadline = robot_.Now() + kHaltTime;
   for (;;) {
     Go({});
     const drivers::Velocity velocity = robot_.State().velocity;
@@ -62,47 +143,97 @@ DriveReport PathDrive::Ended(DriveEnd end) {
   return report_;
 }
 
-/// Away from what the robot touches, by undoing the motion in which it touched it.
-void PathDrive::BackOff(const control::DriveCommand& touching) {
-  const slam::Pose2 from = T_map_base();
-  const double deadline = robot_.Now() + kBackOffTime;
-  const double forward = touching.forward == 0.0 ? 0.0 : -std::copysign(kSlow, touching.forward);
-  const double turning = touching.turning == 0.0 ? 0.0 : -std::copysign(kSlowTurning, touching.turning);
+/// What the robot has driven, from its last place backwards, as far as it is to back off.
+std::vector<slam::Pose2> PathDrive::WayBack() const {
+  std::vector<slam::Pose2> driven(task_.trail_map.begin(), task_.trail_map.end());
+  driven.insert(driven.end(), report_.poses_map.begin(), report_.poses_map.end());
+  std::vector<slam::Pose2> back{driven.back()};
+  double way = 0.0, turn = 0.0;
+  for (auto pose = driven.rbegin(); pose != driven.rend(); ++pose) {
+    const double step = (pose->translation - back.back().translation).norm();
+    const double turned = TurnBetween(*pose, back.back());
+    if (step < kTrailStep && turned < kTrailTurn) continue;
+    way += step;
+    turn += turned;
+    back.push_back(*pose);
+    if (way > options_.back_off || turn > kMostBackTurn) break;
+  }
+  return back;
+}
+
+bool PathDrive::HasLeft(const slam::Pose2& place) const {
+  const slam::Pose2& now = localizer_.T_map_base();
+  return (now.translation - place.translation).norm() > kLeft || TurnBetween(now, place) > kLeftTurn;
+}
+
+/// Away from what the robot touches: the way that it came, and if that is barred, any that is not.
+void PathDrive::BackOff() {
+  const slam::Pose2 touching = localizer_.T_map_base();
+  FollowBack(robot_.Now());
+  if (!HasLeft(touching)) Wriggle();
+  Halt();
+}
+
+void PathDrive::FollowBack(double start) {
+  const std::vector<slam::Pose2> back = WayBack();
+  control::FollowOptions slow = options_.follow;
+  slow.limits.max_speed = kSlow;
+  slow.limits.max_turning = kSlowTurning;
+  control::PathProgress progress;
+  advanced_at_ = start;
   bool cleared = false;
-  while (robot_.Now() < deadline) {
-    const slam::Pose2 moved = from.Inverse() * T_map_base();
-    if (moved.translation.norm() > options_.back_off || std::abs(moved.angle) > kBackTurn) break;
-    if (forward == 0.0) {
-      Go({0.0, turning});
-    } else {
-      Go({forward, 0.0});
-    }
+  while (robot_.Now() < start + options_.max_time && !MustStop()) {
+    const control::FollowStep step = control::FollowPath(back, localizer_.T_map_base(), progress, slow);
+    if (step.finished) break;
+    progress = step.progress;
+    progress.command = GoAvoiding(step.command, false);
+    if (Stalls()) break;
     const bool blocked = robot_.State().blocked;
     if (cleared && blocked) break;  // at something else
+    if (blocked && robot_.Now() > start + kStartingTime) break;
     cleared = cleared || !blocked;
   }
   Halt();
 }
 
-DriveReport PathDrive::Along(const std::vector<slam::Pose2>& path_map) {
-  const double deadline = robot_.Now() + options_.max_time;
-  const bool held_at_start = robot_.State().blocked;  // stays so until the robot has moved
-  const slam::Pose2 start = T_map_base();
+/// Tries small motions, ahead, back and round, of which the simplest that leads away is right.
+void PathDrive::Wriggle() {
+  const slam::Pose2 touching = localizer_.T_map_base();
+  constexpr std::array<control::DriveCommand, 4> kMotions{
+      {{-kSlow, 0.0}, {kSlow, 0.0}, {0.0, kSlowTurning}, {0.0, -kSlowTurning}}};
+  for (int round = 0; round < kWriggles; ++round) {
+    for (const control::DriveCommand& motion : kMotions) {
+      const double end = robot_.Now() + kWriggleTime;
+      const slam::Pose2 before = localizer_.T_map_base();
+      while (robot_.Now() < end && !MustStop()) {
+        Go(motion);
+        if (robot_.State().blocked && !HasLeft(before) && robot_.Now() > end - 0.5 * kWriggleTime) break;
+      }
+      Halt();
+      if (HasLeft(touching) && !robot_.State().blocked) return;
+    }
+  }
+}
+
+DriveReport PathDrive::Run() {
+  const double start = robot_.Now();
+  bool held_at_start = robot_.State().blocked;  // stays so until the robot has moved
   control::PathProgress progress;
-  while (robot_.Now() < deadline) {
-    if (stop_ && stop_()) return Ended(DriveEnd::kStopped);
-    const slam::Pose2 now = T_map_base();
-    const control::FollowStep step = control::FollowPath(path_map, now, progress, options_.follow);
+  while (robot_.Now() < start + options_.max_time) {
+    if (MustStop()) return Ended(DriveEnd::kStopped);
+    const control::FollowStep step =
+        control::FollowPath(task_.path_map, localizer_.T_map_base(), progress, options_.follow);
     progress = step.progress;
     if (step.finished) return Ended(DriveEnd::kArrived);
-    Go(step.command);
-    const slam::Pose2 moved = start.Inverse() * now;
-    const bool leaving = held_at_start && moved.translation.norm() < 0.1 && std::abs(moved.angle) < 0.2 &&
-                         robot_.Now() < deadline - options_.max_time + kBackOffTime;
-    if (!robot_.State().blocked || leaving) continue;
+    progress.command = GoAvoiding(step.command, true);
+    const bool touches = robot_.State().blocked;
+    held_at_start = held_at_start && touches && robot_.Now() < start + kStartingTime;
+    const bool gives_up = Stalls();
+    if (!gives_up && (!touches || held_at_start)) continue;
     Halt();
-    report_.obstacles_map.push_back(now * ContactPlace(robot_, step.command));
-    BackOff(step.command);
+    if (!gives_up) held_by_base_ = ContactPlace(robot_, step.command);
+    if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);
+    BackOff();
     break;
   }
   return Ended(DriveEnd::kBlocked);
@@ -110,10 +241,9 @@ DriveReport PathDrive::Along(const std::vector<slam::Pose2>& path_map) {
 
 }  // namespace
 
-DriveReport DrivePath(drivers::Robot& robot, const slam::Pose2& T_map_odom,
-                      const std::vector<slam::Pose2>& path_map, const DriveOptions& options,
-                      const std::function<bool()>& stop) {
-  return PathDrive(robot, T_map_odom, options, stop).Along(path_map);
+DriveReport DrivePath(drivers::Robot& robot, Localizer localizer, const DriveTask& task,
+                      const DriveOptions& options, const std::function<bool()>& stop) {
+  return PathDrive(robot, std::move(localizer), task, options, stop).Run();
 }
 
 }  // namespace ariadne::experiments

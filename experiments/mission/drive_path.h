@@ -2,24 +2,40 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <span>
 #include <vector>
 
+#include "control/avoidance.h"
 #include "control/pure_pursuit.h"
 #include "drivers/robot.h"
+#include "experiments/mission/localizer.h"
 #include "slam/geometry/pose2.h"
 
 namespace ariadne::experiments {
 
 struct DriveOptions {
   control::FollowOptions follow;
-  double back_off = 0.2;
+  LocalizerOptions localize;
+  bool avoid_obstacles = true;
+  control::AvoidanceOptions avoid;
+  double known_within = 2.0;
+  double patience = 4.0;
+  double back_off = 0.5;
   double max_time = 300.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("follow", self.follow, "the controller that follows a path");
-    visit("back_off", self.back_off, Unit("m"), Range{0.0, 2.0},
-          "from what the robot has touched, before anything else is planned");
+    visit("localize", self.localize, "how odometry is corrected on the way");
+    visit("avoid_obstacles", self.avoid_obstacles,
+          "look with the safety scanners while driving, and give way (5.3)");
+    visit("avoid", self.avoid, "how the robot gives way");
+    visit("known_within", self.known_within, Unit("m"), Range{0.0, 100.0},
+          "of the robot, obstacles of the map count too: the safety scanners look below tables");
+    visit("patience", self.patience, Unit("s"), Range{0.0, 1e4},
+          "that the robot waits for what holds it up to go away, before it gives the target up");
+    visit("back_off", self.back_off, Unit("m"), Range{0.0, 5.0},
+          "the way that it came, from what the robot has touched, before anything else is planned");
     visit("max_time", self.max_time, Unit("s"), Range{1.0, 1e5},
           "for one path, after which it is given up");
   }
@@ -34,15 +50,21 @@ enum class DriveEnd {
 struct DriveReport {
   DriveEnd end = DriveEnd::kArrived;
   std::vector<Eigen::Vector2d> obstacles_map;  // that were met
-  std::vector<slam::Pose2> poses_map;          // driven, by odometry
+  std::vector<slam::Pose2> poses_map;          // driven, as the robot took itself to be, to its last place
   double length = 0.0;                         // [m]
 };
 
-/// Drives a path by odometry alone. `T_map_odom` says where the odometry's frame lies in the map; whatever
-/// errs, it or the wheels, is not corrected on the way. Where something holds the wheels, the robot backs
-/// off by the way that it came. `stop` is asked before each command.
-DriveReport DrivePath(drivers::Robot& robot, const slam::Pose2& T_map_odom,
-                      const std::vector<slam::Pose2>& path_map, const DriveOptions& options,
-                      const std::function<bool()>& stop);
+/// What is to be driven.
+struct DriveTask {
+  const std::vector<slam::Pose2>& path_map;
+  std::span<const slam::Pose2> trail_map;          // driven before
+  std::span<const Eigen::Vector2d> obstacles_map;  // that are known
+};
+
+/// Drives a path, gives way to what the safety scanners see, and waits for it to go away. Where something
+/// holds the wheels or does not go away, the robot backs off by the way that it came. `stop` is asked
+/// before each command.
+DriveReport DrivePath(drivers::Robot& robot, Localizer localizer, const DriveTask& task,
+                      const DriveOptions& options, const std::function<bool()>& stop);
 
 }  // namespace ariadne::experiments

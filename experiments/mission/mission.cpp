@@ -13,7 +13,7 @@ namespace {
 using slam::Pose2;
 
 constexpr double kSamePlaceAgain = 0.5;  // [m]
-constexpr double kPathStep = 0.05;   // of the path that is kept [m]
+constexpr double kPathStep = 0.05;       // of the path that is kept [m]
 
 double UnseenLength(std::span<const planning::LabelledPolygon> area) {
   double length = 0.0;
@@ -62,7 +62,11 @@ class Explorer {
   const MissionEvents& events_;
   MissionMap map_;
   MissionStop next_;  // what is known of the stop to come
+  slam::ScannerModel scanner_;
+  Pose2 last_T_odom_base_;
+  std::vector<Pose2> trail_map_;  // of the last drive, to where the robot is
   MissionResult result_;
+  std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
   std::vector<FailedTarget> failed_;
   int blocked_ = 0, unregistered_ = 0;  // in a row
 };
@@ -72,8 +76,12 @@ void Explorer::AcquireAndRegister() {
   const slam::Scan scan = robot_.TakeScan();
   Status(fmt::format("scan {}: registering it", map_.size()));
   const Stopwatch watch;
-  const slam::MatchResult match = map_.AddScan(fmt::format("scan{:03}", map_.size()),
-                                               slam::ToPointCloud(scan), scan.odometry.T_odom_base);
+  scanner_ = scan.scanner;
+  const Pose2 moved = last_T_odom_base_.Inverse() * scan.odometry.T_odom_base;  // while it braked
+  const Pose2 T_map_base_guess = map_.size() == 0 ? scan.odometry.T_odom_base : trail_map_.back() * moved;
+  const slam::MatchResult match =
+      map_.AddScan(fmt::format("scan{:03}", map_.size()), slam::ToPointCloud(scan), T_map_base_guess);
+  last_T_odom_base_ = scan.odometry.T_odom_base;
   MissionStop stop = std::move(next_);
   next_ = {};
   stop.matching_seconds = watch.Seconds();
@@ -83,6 +91,7 @@ void Explorer::AcquireAndRegister() {
   stop.message = match.message;
   stop.T_map_base = map_.T_map_base(map_.size() - 1);
   stop.T_map_base_guess = FromAbove(match.T_map_laser_guess * robot_.T_base_laser().Inverse());
+  trail_map_.push_back(stop.T_map_base);
   unregistered_ = match.registered ? 0 : unregistered_ + 1;
   const std::vector<planning::LabelledPolygon> area = map_.Area(0);
   stop.unseen = UnseenLength(area);
@@ -106,6 +115,7 @@ std::optional<PlannedDrive> Explorer::Plan() {
   Status(fmt::format("scan {}: planning", map_.size() - 1));
   const Stopwatch watch;
   const Surroundings around = SurroundingsOf(map_);
+  obstacles_map_ = around.obstacles_map;
   const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
   const std::uint64_t seed = seed_ + map_.size();
   std::optional<PlannedDrive> drive;
@@ -128,8 +138,16 @@ void Explorer::Drive(const PlannedDrive& drive) {
                  : " back"));
   const Stopwatch watch;
   const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
-  const Pose2 T_map_odom = T_map_base * robot_.State().odometry.T_odom_base.Inverse();
-  const DriveReport report = DrivePath(robot_, T_map_odom, drive.path_map, options_.drive, events_.stop);
+  const LocalizerOptions& localize = options_.drive.localize;
+  const std::optional<slam::AlignModel> model_map =
+      localize.enabled ? map_.ModelAround(T_map_base.translation, localize.reach) : std::nullopt;
+  const Localizer localizer(robot_, T_map_base, model_map ? &*model_map : nullptr, scanner_, localize);
+  const DriveReport report = DrivePath(robot_, localizer, {drive.path_map, trail_map_, obstacles_map_},
+                                       options_.drive, events_.stop);
+  last_T_odom_base_ = robot_.State().odometry.T_odom_base;
+  trail_map_.insert(trail_map_.end(), report.poses_map.begin(), report.poses_map.end());
+  constexpr std::size_t kTrail = 2000;  // poses
+  if (trail_map_.size() > kTrail) trail_map_.erase(trail_map_.begin(), trail_map_.end() - kTrail);
   for (const Eigen::Vector2d& p_map : report.obstacles_map) map_.AddObstacle(p_map);
   for (const Pose2& pose : report.poses_map) {
     if (result_.path_map.empty() || (pose.translation - result_.path_map.back()).norm() > kPathStep)

@@ -34,7 +34,7 @@ struct MissionStop {
   DriveEnd drive = DriveEnd::kArrived;  // how the drive here ended
   bool leg_only = false;                // it was a part of the way to the view
   bool of_disc = false;
-  slam::Pose2 T_map_base_guess;  // by odometry
+  slam::Pose2 T_map_base_guess;  // as it came here
   slam::Pose2 T_map_base;        // registered, as it was then
   bool registered = false;
   std::string message;            // of the registration

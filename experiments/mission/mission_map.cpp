@@ -42,8 +42,12 @@ MissionMap::MissionMap(const MissionOptions& options, const slam::Pose3& T_base_
 }
 
 slam::MatchResult MissionMap::AddScan(const std::string& name, slam::PointCloud cloud_laser,
-                                      const slam::Pose2& T_odom_base) {
-  slam::PosedCloud scan{name, std::move(cloud_laser), slam::ToPose3(T_odom_base) * T_base_laser_};
+                                      const slam::Pose2& T_map_base_guess) {
+  const slam::Pose3 T_map_laser_guess = slam::ToPose3(T_map_base_guess) * T_base_laser_;
+  T_chain_laser_ =
+      scans_.empty() ? T_map_laser_guess
+                     : T_chain_laser_ * (mapper_.scans().back().T_map_laser.Inverse() * T_map_laser_guess);
+  slam::PosedCloud scan{name, std::move(cloud_laser), T_chain_laser_};
   slam::MatchResult match = mapper_.AddScan(scan);
   scan.T_map_laser = mapper_.scans().back().T_map_laser;
   if (mapper_.scans().back().registered) {
@@ -70,6 +74,12 @@ std::vector<slam::PosedCloud> MissionMap::Scans() const {
   return scans;
 }
 
+slam::PosedCloud MissionMap::LastScan() const {
+  slam::PosedCloud scan = scans_.back();
+  scan.T_map_laser = mapper_.scans().back().T_map_laser;
+  return scan;
+}
+
 std::vector<slam::Pose3> MissionMap::RegisteredPoses() const {
   std::vector<slam::Pose3> poses;
   for (const std::size_t i : shown_) poses.push_back(mapper_.scans()[i].T_map_laser);
@@ -84,6 +94,15 @@ std::vector<slam::Pose2> MissionMap::T_map_scans() const {
 
 std::vector<planning::LabelledPolygon> MissionMap::Area(std::size_t height) const {
   return area_.At(height, RegisteredPoses());
+}
+
+std::optional<slam::AlignModel> MissionMap::ModelAround(const Eigen::Vector2d& p_map, double reach) const {
+  std::vector<std::size_t> members;
+  for (const std::size_t i : shown_) {
+    if ((mapper_.scans()[i].T_map_laser.translation.head<2>() - p_map).norm() < reach) members.push_back(i);
+  }
+  if (members.empty()) return {};
+  return slam::UnionInMap(mapper_.scans(), members);
 }
 
 std::vector<Eigen::Vector2d> MissionMap::Obstacles() const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,10 +15,9 @@ class MissionMap {
  public:
   MissionMap(const MissionOptions& options, const slam::Pose3& T_base_laser);
 
-  /// Registers a scan. `T_odom_base` is the odometry's; only its change since the scan before counts, and
-  /// the first scan defines the map's frame by it.
+  /// Registers a scan from a first guess; that of the first scan defines the map's frame.
   slam::MatchResult AddScan(const std::string& name, slam::PointCloud cloud_laser,
-                            const slam::Pose2& T_odom_base);
+                            const slam::Pose2& T_map_base_guess);
 
   /// Makes all poses agree once more, after the last scan.
   slam::MatchResult Finish() { return mapper_.Finish(); }
@@ -32,11 +32,16 @@ class MissionMap {
 
   /// The scans with their points, where they lie now.
   std::vector<slam::PosedCloud> Scans() const;
+  slam::PosedCloud LastScan() const;
 
   /// Those of the registered scans, seen from above.
   std::vector<slam::Pose2> T_map_scans() const;
   std::size_t height_count() const { return area_.height_count(); }
   std::vector<planning::LabelledPolygon> Area(std::size_t height) const;
+
+  /// The reduced points, with their surfaces, of the registered scans that were taken within reach [m];
+  /// none where there are none.
+  std::optional<slam::AlignModel> ModelAround(const Eigen::Vector2d& p_map, double reach) const;
 
   /// Centres of the cells that are occupied up to the robot's height (but where the robot itself has
   /// stood), what it has met, and the fence.
@@ -51,6 +56,7 @@ class MissionMap {
   ScanLoopArea area_;
   std::vector<std::size_t> shown_;  // scans that the area knows
   std::vector<slam::PosedCloud> scans_;
+  slam::Pose3 T_chain_laser_;  // the guesses' steps, one after the other, as the mapper takes odometry
   std::vector<Eigen::Vector2d> met_map_;
   std::vector<Eigen::Vector2d> fence_map_;
 };

@@ -2,6 +2,12 @@
 
 namespace ariadne::experiments {
 
+ScanLoopAreaOptions RobotAreaOptions() {
+  ScanLoopAreaOptions options;
+  options.max_gap = 90.0;
+  return options;
+}
+
 slam::OccupancyGridOptions RobotObstacleOptions() {
   slam::OccupancyGridOptions options;
   options.min_height = 0.1;

@@ -82,8 +82,11 @@ StudyResult RunPosegraphBenchmarkStudy(const PosegraphBenchmarkOptions& options,
 const std::vector<Study>& AllStudies() {
   static const std::vector<Study> kStudies{
       MakeStudy<RegisterOptions>("register", "a folder of scans into one map", RunRegisterStudy),
-      MakeStudy<ExploreStudyOptions>("explore", "a building that the robot was never told", CheckExplore,
-                                     RunExplore),
+      MakeStudy<ExploreStudyOptions>(
+          "explore", "a building that the robot was never told", CheckExplore,
+          [](const ExploreStudyOptions& options, const RunDirectory& run, ProgressDisplay& progress) {
+            return RunExplore(options, run, progress);
+          }),
       MakeStudy<OptimizeOptions>("optimize", "a pose graph into its best poses", CheckOptimizeInput,
                                  RunOptimizeStudy),
       MakeStudy<PosegraphBenchmarkOptions>("posegraph_benchmark",

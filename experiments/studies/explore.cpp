@@ -2,10 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
+#include "drivers/replay/fast_forward.h"
+#include "drivers/replay/recording_robot.h"
+#include "drivers/replay/replay_robot.h"
 #include "experiments/run/data_path.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
 #include "experiments/studies/explore_report.h"
+#include "slam/io/cloud_io.h"
+#include "slam/io/file.h"
+#include "slam/io/uos_pose.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -21,6 +29,60 @@ ScanLoopWorld PrepareExploreWorld(const ExploreStudyOptions& options) {
   return PrepareScanLoopWorld(LoadExploreWorld(options), sight, options.judge, Parallel(options.threads));
 }
 
+/// The simulated robot, whose every answer is on the run's log before the mission gets it; a run that is
+/// resumed first hears what the log has.
+class LoggedSimulation {
+ public:
+  LoggedSimulation(drivers::SimulatedRobot& robot, const std::filesystem::path& path) {
+    if (std::filesystem::exists(path)) {
+      old_ = std::make_unique<drivers::RobotLog>(drivers::ReadRobotLog(path));
+      drivers::FastForward(robot, *old_);
+    }
+    log_ = std::make_unique<drivers::RobotLogWriter>(path);
+    if (old_) {
+      robot_ = std::make_unique<drivers::ReplayRobot>(
+          *old_, drivers::LiveRobot{[&robot]() -> drivers::Robot& { return robot; }, drivers::Seam::kNone,
+                                    log_.get()});
+    } else {
+      robot_ = std::make_unique<drivers::RecordingRobot>(robot, *log_);
+    }
+  }
+  drivers::LoggedRobot& robot() { return *robot_; }
+
+ private:
+  std::unique_ptr<drivers::RobotLog> old_;
+  std::unique_ptr<drivers::RobotLogWriter> log_;
+  std::unique_ptr<drivers::LoggedRobot> robot_;
+};
+
+/// Each scan is a file of its own before the robot drives on.
+void WriteExploredScan(const slam::PosedCloud& scan, const RunDirectory& run) {
+  slam::WriteCloud(run.File("scans/" + scan.name + ".3d"), scan.cloud_laser);
+  slam::WriteFileAtomically(run.File("scans/" + scan.name + ".pose"),
+                            [&](std::ostream& out) { slam::WriteUosPose(out, scan.T_map_laser); });
+}
+
+/// What watches the mission and keeps what it does.
+MissionEvents EventsOf(const RunDirectory& run, ProgressDisplay& progress, drivers::LoggedRobot& robot,
+                       const std::function<bool()>& stop) {
+  MissionEvents events;
+  events.on_status = [&progress](const std::string& status) { progress.Show(status); };
+  events.stop = stop;
+  events.on_stop = [&run](const MissionStop&, const MissionMap& map) {
+    WriteExploredScan(map.LastScan(), run);
+    run.WriteProgress("running", map.size(), 0);
+  };
+  events.on_plan = [&robot](const PlannedDrive& drive, const Surroundings&) {
+    if (drive.view) {
+      robot.Note(fmt::format("drive to ({:.3f}, {:.3f}) m for {} rays", drive.view->p_map.x(),
+                             drive.view->p_map.y(), drive.view->gain));
+    } else {
+      robot.Note("drive back");
+    }
+  };
+  return events;
+}
+
 }  // namespace
 
 void CheckExplore(const ExploreStudyOptions& options) {
@@ -28,7 +90,8 @@ void CheckExplore(const ExploreStudyOptions& options) {
   LoadExploreWorld(options);
 }
 
-std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run, ProgressDisplay& progress) {
+std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
+                       ProgressDisplay& progress, const std::function<bool()>& stop) {
   WriteManifest(run, {});
   progress.Show("what there is to see");
   const ScanLoopWorld world = PrepareExploreWorld(options);
@@ -38,17 +101,22 @@ std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& r
   mission_options.mapper.icp.threads = options.threads;
   const auto seed = static_cast<std::uint64_t>(options.seed);
   drivers::SimulatedRobot robot(world.scene, robot_options, seed);
-  MissionEvents events;
-  events.on_status = [&](const std::string& status) { progress.Show(status); };
-  std::size_t scans = 0;
-  const auto on_true_stop = [&](const MissionStop& stop, const TrueStop& truth) {
-    run.WriteProgress("running", ++scans, 0);
-    progress.Keep(StopLine(scans - 1, stop, truth));
+  LoggedSimulation logged(robot, run.File("robot.log"));
+  std::size_t stops = 0;
+  const auto on_true_stop = [&](const MissionStop& at, const TrueStop& truth) {
+    progress.Keep(StopLine(stops++, at, truth));
   };
-  const SimulatedMission mission = RunSimulatedMission(robot, robot, world.floor, options.scanner,
-                                                       mission_options, seed, events, on_true_stop);
+  const SimulatedMission mission =
+      RunSimulatedMission(robot, logged.robot(), world.floor, options.scanner, mission_options, seed,
+                          EventsOf(run, progress, logged.robot(), stop), on_true_stop);
+  progress.Show("the model and the report");
   std::string text = ReportExploration(mission, world, run, Parallel(options.threads));
-  FinishRun(run, fmt::format("Exploration of {}", world.scene->world().name), scans);
+  if (mission.mission.end == MissionEnd::kStopped) {
+    run.WriteProgress("stopped", stops, 0);
+    return text + "stopped; --resume goes on from here\n";
+  }
+  FinishRun(run, fmt::format("Exploration of {}", world.scene->world().name), stops,
+            ExplorationView(mission, options.model));
   return text;
 }
 

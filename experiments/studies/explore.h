@@ -4,6 +4,7 @@
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/run/progress_display.h"
 #include "experiments/run/run_directory.h"
+#include "experiments/studies/model_options.h"
 
 namespace ariadne::experiments {
 
@@ -16,6 +17,7 @@ struct ExploreStudyOptions {
   MissionOptions mission;
   FloorScannerOptions scanner;
   ScanLoopWorldOptions judge;
+  ModelOptions model;
   drivers::WorldOptions geometry;
 
   template <typename Self, typename Visitor>
@@ -30,6 +32,7 @@ struct ExploreStudyOptions {
     visit("mission", self.mission, "the mission");
     visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
     visit("judge", self.judge, "what there is to see, against which the mission is judged");
+    visit("model", self.model, "what the scans become in the end");
     visit("geometry", self.geometry, "what floor plans and meshes leave open");
   }
 };
@@ -37,7 +40,10 @@ struct ExploreStudyOptions {
 /// Error where the world cannot be read.
 void CheckExplore(const ExploreStudyOptions& options);
 
-/// Returns what to print.
-std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run, ProgressDisplay& progress);
+/// Explores, with every answer of the robot on robot.log and every scan in scans/ before the next step; a
+/// run that was killed repeats its decisions from the log and goes on where it was. `stop` is asked before
+/// each command of the robot. Returns what to print.
+std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
+                       ProgressDisplay& progress, const std::function<bool()>& stop = {});
 
 }  // namespace ariadne::experiments

@@ -4,10 +4,13 @@
 
 #include <algorithm>
 
-#include "slam/geometry/angles.h"
+#include "experiments/report/viewer.h"
 #include "slam/io/file.h"
+#include "slam/io/ply.h"
 #include "slam/io/svg.h"
 #include "slam/io/trajectory.h"
+#include "slam/io/uos_pose.h"
+#include "slam/map/surface_model.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -38,6 +41,32 @@ void WriteMissionTrajectory(const RunDirectory& run, const std::string& name,
   std::vector<slam::StampedPose> stamped;
   for (std::size_t i = 0; i < poses.size(); ++i) stamped.push_back({stops[i].time, poses[i]});
   slam::WriteFileAtomically(run.File(name), [&](std::ostream& out) { slam::WriteTum(out, stamped); });
+}
+
+/// As ariadne map, export and plan look for them.
+void WriteExploredPoses(const MissionResult& result, const RunDirectory& run) {
+  std::vector<slam::NamedPose> named;
+  for (const slam::PosedCloud& scan : result.scans) {
+    named.push_back({scan.name, scan.T_map_laser});
+    slam::WriteFileAtomically(run.File("scans/" + scan.name + ".pose"),
+                              [&](std::ostream& out) { slam::WriteUosPose(out, scan.T_map_laser); });
+  }
+  slam::WriteFileAtomically(run.File("poses.txt"),
+                            [&](std::ostream& out) { slam::WritePoseList(out, named); });
+}
+
+void WriteExploredMap(const MissionResult& result, const RunDirectory& run) {
+  std::size_t points = 0;
+  for (const slam::PosedCloud& scan : result.scans) points += scan.cloud_laser.size();
+  slam::WriteFileAtomically(run.File("map.ply"), [&](std::ostream& out) {
+    const bool reflectance = !result.scans.front().cloud_laser.reflectance.empty();
+    slam::PlyWriter writer(out, slam::PlyEncoding::kBinary,
+                           {.reflectance = reflectance, .scan_index = true}, points);
+    std::int32_t index = 0;
+    for (const slam::PosedCloud& scan : result.scans)
+      writer.Add(slam::Transformed(scan.T_map_laser, scan.cloud_laser), {{}, index++});
+    writer.Finish();
+  });
 }
 
 }  // namespace
@@ -105,11 +134,35 @@ slam::Drawing DrawMission(const SimulatedMission& mission, const Floor& floor) {
            std::move(stops), std::move(stops_map)}};
 }
 
+PageSection ExplorationView(const SimulatedMission& mission, const ModelOptions& model) {
+  const MissionResult& result = mission.mission;
+  ViewerScene scene;
+  ViewerPath driven;
+  for (const Eigen::Vector2d& p_map : result.path_map) driven.points_map.push_back(Flat(p_map));
+  std::vector<slam::PlanarSurface> surfaces_map;
+  for (std::size_t i = 0; i < result.scans.size(); ++i) {
+    AddScan(scene, result.scans[i], i);
+    if (!result.registered[i]) continue;
+    for (slam::PlanarSurface& surface : slam::SurfacesInMap(result.scans[i], model.surfaces.extract))
+      surfaces_map.push_back(std::move(surface));
+  }
+  const std::size_t last = result.scans.size() - 1;
+  for (const slam::ObjectBox& object :
+       slam::MakeSurfaceModel(std::move(surfaces_map), model.surfaces).objects)
+    scene.boxes.push_back({object.box, {}, last});
+  if (driven.points_map.size() > 1) scene.driven.push_back(std::move(driven));
+  for (const planning::LabelledPolygon& polygon : result.area)
+    scene.polygons.push_back({polygon, 1.5, last});
+  return ViewerSection(scene, "The model in 3D");
+}
+
 std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWorld& world,
                               const RunDirectory& run, const Parallel& parallel) {
   const MissionResult& result = mission.mission;
   run.WriteCsv("stops.csv", StopTable(mission));
   slam::WriteSvg(run.File("exploration.svg"), DrawMission(mission, world.floor.floor));
+  WriteExploredPoses(result, run);
+  WriteExploredMap(result, run);
   std::vector<slam::Pose3> T_map_laser;
   for (const slam::PosedCloud& scan : result.scans) T_map_laser.push_back(scan.T_map_laser);
   WriteMissionTrajectory(run, "trajectory.tum", T_map_laser, result.stops);

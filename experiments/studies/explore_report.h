@@ -3,8 +3,10 @@
 #include <string>
 
 #include "experiments/mission/simulated_mission.h"
+#include "experiments/report/page.h"
 #include "experiments/report/table.h"
 #include "experiments/run/run_directory.h"
+#include "experiments/studies/model_options.h"
 #include "slam/geometry/drawing.h"
 
 namespace ariadne::experiments {
@@ -18,6 +20,9 @@ Table StopTable(const SimulatedMission& mission);
 /// From above, in the world: the walls as they are, the area with its seen and unseen edges, the obstacles,
 /// the way that was driven, where the scans were taken and where they were thought to be taken.
 slam::Drawing DrawMission(const SimulatedMission& mission, const Floor& floor);
+
+/// The interactive view of the points, the stops, the boxes around objects and the way, in the map.
+PageSection ExplorationView(const SimulatedMission& mission, const ModelOptions& model);
 
 /// Writes tables, trajectories and pictures; returns what to print.
 std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWorld& world,

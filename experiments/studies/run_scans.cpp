@@ -10,12 +10,20 @@
 namespace ariadne::experiments {
 namespace {
 
+/// A mission keeps its scans in the run.
+RegisterOptions OptionsOfExploration(const std::filesystem::path& run) {
+  RegisterOptions options;
+  options.input.folder = (run / "scans").string();
+  return options;
+}
+
 RegisterOptions ReadRunOptions(const std::filesystem::path& run) {
   const std::filesystem::path config = run / "config.yaml";
   OptionEntries entries = OptionEntries::FromFile(config.string());
   const std::optional<OptionEntry> experiment = entries.Take("experiment");
+  if (experiment && experiment->value == "explore") return OptionsOfExploration(run);
   if (!experiment || experiment->value != "register")
-    Fail("{}: only runs of the experiment register have a map", config.string());
+    Fail("{}: only runs of the experiments register and explore have a map", config.string());
   return ReadOptions<RegisterOptions>(entries);
 }
 

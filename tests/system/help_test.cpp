@@ -10,7 +10,7 @@ using testing::HasSubstr;
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("register", "optimize", "run", "convert", "info", "config",
+                         testing::Values("explore", "register", "optimize", "run", "convert", "info", "config",
                                          "simulate", "extract", "map", "export", "view"),
                          [](const auto& name) { return name.param; });
 
@@ -55,7 +55,7 @@ TEST_F(ConfigCommand, PrintsThatOfEachExperiment) {
   EXPECT_EQ(unknown.status, 1);
   EXPECT_THAT(unknown.err, testing::StartsWith(
                                "ariadne: there is no experiment 'table_2'; there are register, "
-                               "optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
+                               "explore, optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
 }
 
 }  // namespace

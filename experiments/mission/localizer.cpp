@@ -1,0 +1,68 @@
+#include "experiments/mission/localizer.h"
+
+#include <cmath>
+
+namespace ariadne::experiments {
+namespace {
+
+constexpr double kStandingPosition = 0.005;  // sigma of a registered pose, seen from above [m]
+constexpr double kStandingAngle = 0.002;     // [rad]
+
+slam::Pose2::Square DiagonalOf(double position, double angle) {
+  return slam::Pose2::Tangent(position * position, position * position, angle * angle).asDiagonal();
+}
+
+}  // namespace
+
+Localizer::Localizer(drivers::Robot& robot, const slam::Pose2& T_map_base,
+                     const slam::AlignModel* model_map, const slam::ScannerModel& scanner,
+                     const LocalizerOptions& options)
+    : robot_(robot),
+      model_map_(model_map),
+      scanner_(scanner),
+      options_(options),
+      T_map_base_(T_map_base),
+      covariance_(DiagonalOf(kStandingPosition, kStandingAngle)),
+      last_T_odom_base_(robot.State().odometry.T_odom_base) {}
+
+const slam::Pose2& Localizer::Update() {
+  Predict();
+  const bool due = way_ > options_.every_distance || turn_ > options_.every_angle;
+  if (options_.enabled && model_map_ != nullptr && due) Correct();
+  return T_map_base_;
+}
+
+void Localizer::Predict() {
+  const slam::Pose2 T_odom_base = robot_.State().odometry.T_odom_base;
+  const slam::Pose2 moved = last_T_odom_base_.Inverse() * T_odom_base;
+  last_T_odom_base_ = T_odom_base;
+  T_map_base_ = T_map_base_ * moved;
+  const double way = moved.translation.norm(), turn = std::abs(moved.angle);
+  way_ += way;
+  turn_ += turn;
+  const slam::Pose2::Square back = moved.Inverse().Adjoint();
+  const double angle =
+      std::hypot(options_.angle_by_distance * std::sqrt(way), options_.angle_by_turn * std::sqrt(turn));
+  covariance_ =
+      back * covariance_ * back.transpose() + DiagonalOf(options_.position * std::sqrt(way), angle);
+}
+
+void Localizer::Correct() {
+  way_ = turn_ = 0.0;
+  const slam::LaserSweep sweep = robot_.TakeSweep();
+  const slam::Pose3 T_base_laser = robot_.T_base_laser();
+  std::vector<Eigen::Vector3d> points_base;
+  for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
+    const double range = sweep.ranges[i];
+    if (range > 0.0)
+      points_base.push_back(T_base_laser * (range * slam::BeamDirection(scanner_, i, sweep.pitch)));
+  }
+  const slam::LocateResult located =
+      slam::LocateSweep(*model_map_, points_base, T_map_base_, covariance_, options_.locate);
+  if (!located.trusted) return;
+  T_map_base_ = located.T_map_base;
+  covariance_ = located.covariance;
+  ++corrections_;
+}
+
+}  // namespace ariadne::experiments
