@@ -20,10 +20,9 @@ constexpr double kLeft = 0.06;         // [m]
 constexpr double kLeftTurn = 0.1;      // [rad]
 constexpr double kWriggleTime = 1.5;   // for one motion [s]
 constexpr int kWriggles = 2;           // rounds
-constexpr double kBeside = 0.08;       // of cells and the robot [m]
-constexpr double kTrailStep = 0.01;    // [m]
+constexpr double kBeside = -0.01;      // of cells and the robot [m]
+constexpr double kTrailStep = 0.02;    // [m]
 constexpr double kTrailTurn = 0.02;    // [rad]
-constexpr double kMostBackTurn = 1.6;  // [rad]
 
 double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
   return std::abs(slam::WrapAngle(a.angle - b.angle));
@@ -143,20 +142,23 @@ DriveReport PathDrive::Ended(DriveEnd end) {
   return report_;
 }
 
-/// What the robot has driven, from its last place backwards, as far as it is to back off.
+/// What the robot has driven, from its last place backwards, without what it drove to and fro, until it is
+/// as far from here as it is to back off.
 std::vector<slam::Pose2> PathDrive::WayBack() const {
   std::vector<slam::Pose2> driven(task_.trail_map.begin(), task_.trail_map.end());
   driven.insert(driven.end(), report_.poses_map.begin(), report_.poses_map.end());
   std::vector<slam::Pose2> back{driven.back()};
-  double way = 0.0, turn = 0.0;
   for (auto pose = driven.rbegin(); pose != driven.rend(); ++pose) {
-    const double step = (pose->translation - back.back().translation).norm();
-    const double turned = TurnBetween(*pose, back.back());
-    if (step < kTrailStep && turned < kTrailTurn) continue;
-    way += step;
-    turn += turned;
+    const auto same = std::ranges::find_if(back, [&](const slam::Pose2& other) {
+      return (pose->translation - other.translation).norm() < kTrailStep &&
+             TurnBetween(*pose, other) < kTrailTurn;
+    });
+    if (same != back.end()) {
+      back.erase(same + 1, back.end());
+      continue;
+    }
     back.push_back(*pose);
-    if (way > options_.back_off || turn > kMostBackTurn) break;
+    if ((pose->translation - back.front().translation).norm() > options_.back_off) break;
   }
   return back;
 }

@@ -42,7 +42,7 @@ void Localizer::Predict() {
   turn_ += turn;
   const slam::Pose2::Square back = moved.Inverse().Adjoint();
   const double angle =
-      std::hypot(options_.angle_by_distance * std::sqrt(way), options_.angle_by_turn * std::sqrt(turn));
+      std::hypot(options_.angle_by_way * std::sqrt(way), options_.angle_by_turn * std::sqrt(turn));
   covariance_ =
       back * covariance_ * back.transpose() + DiagonalOf(options_.position * std::sqrt(way), angle);
 }

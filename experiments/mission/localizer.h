@@ -13,7 +13,7 @@ struct LocalizerOptions {
   double every_distance = 0.15;
   double every_angle = 0.15;
   double position = 0.05;
-  double angle_by_distance = 0.02;
+  double angle_by_way = 0.02;
   double angle_by_turn = 0.03;
   double reach = 20.0;
   slam::LocateOptions locate;
@@ -28,7 +28,7 @@ struct LocalizerOptions {
     visit("every_angle", self.every_angle, Unit("rad"), Range{0.01, 10.0}, "turned, a sweep");
     visit("position", self.position, Unit("m per sqrt(m)"), Range{1e-6, 10.0},
           "sigma of the odometry's position after 1 m; its variance grows with the way");
-    visit("angle_by_distance", self.angle_by_distance, Unit("rad, after 1 m"), Range{1e-6, 10.0},
+    visit("angle_by_way", self.angle_by_way, Unit("rad, after 1 m"), Range{1e-6, 10.0},
           "sigma of the odometry's angle after 1 m");
     visit("angle_by_turn", self.angle_by_turn, Unit("rad, after 1 rad"), Range{1e-6, 10.0},
           "and after a turn of 1 rad");
