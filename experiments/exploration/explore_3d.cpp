@@ -212,6 +212,8 @@ slam::MapperOptions RobotMapperOptions() {
   options.icp.guess_share = 0.001;
   options.registration.graph.odometry_position = 0.02;
   options.registration.graph.odometry_angle = 0.01;
+  options.registration.graph.floor_height = 0.01;
+  options.registration.graph.floor_tilt = 0.005;
   return options;
 }
 

@@ -53,6 +53,8 @@ struct ScanGraphOptions {
   int further_edges = 1;
   double odometry_position = 0.1;
   double odometry_angle = 0.05;
+  double floor_height = 1e3;
+  double floor_tilt = 10.0;
   double systematic_position = 0.004;
   double systematic_angle = 0.001;
   GraphRobust robust = GraphRobust::kGnc;
@@ -73,6 +75,11 @@ struct ScanGraphOptions {
           "no surface does");
     visit("odometry_angle", self.odometry_angle, Unit("rad/m"), Range{1e-6, 1e3},
           "and of its angles, beside 0.05 rad");
+    visit("floor_height", self.floor_height, Unit("m"), Range{1e-6, 1e3},
+          "at most this is the sigma of the height between two scans, for lasers that stand upright on an "
+          "even floor");
+    visit("floor_tilt", self.floor_tilt, Unit("rad"), Range{1e-6, 10.0},
+          "and this of the angles about level axes: a tilt of 1 degree lifts what is 25 m away by 44 cm");
     visit("systematic_position", self.systematic_position, Unit("m"), Range{0.0, 10.0},
           "sigma that each alignment has beside its covariance: what the scanner does alike in all scans; "
           "chosen so that the positions of a few simulated tours are less overconfident (NEES)");

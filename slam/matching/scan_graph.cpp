@@ -1,6 +1,7 @@
 #include "slam/matching/scan_graph.h"
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 
 #include "slam/base/error.h"
@@ -11,15 +12,17 @@ namespace {
 constexpr double kOdometryPosition = 0.05;  // sigma of the odometry between stops at one place [m]
 constexpr double kOdometryAngle = 0.05;     // [rad]
 
-/// The odometry's own errors, those of wheels on a floor, are less; but a floor is not known to be even.
+/// The odometry's own errors, those of wheels on a floor, are less; but a floor is not known to be even,
+/// unless the options say so.
 Pose3::Square OdometryInformation(const Pose3& T_from_to, const ScanGraphOptions& options) {
   const double way = T_from_to.translation.norm();
   const double position = std::hypot(kOdometryPosition, options.odometry_position * way);
   const double angle = std::hypot(kOdometryAngle, options.odometry_angle * way);
-  Pose3::Tangent information;
-  information << Eigen::Vector3d::Constant(1.0 / (position * position)),
-      Eigen::Vector3d::Constant(1.0 / (angle * angle));
-  return information.asDiagonal();
+  const double height = std::min(position, options.floor_height);
+  const double tilt = std::min(angle, options.floor_tilt);
+  Pose3::Tangent sigma;
+  sigma << position, position, height, tilt, tilt, angle;
+  return sigma.cwiseAbs2().cwiseInverse().asDiagonal();
 }
 
 /// Motions of the data, in columns, that the surfaces do not notice; in the tangent space of its pose.
