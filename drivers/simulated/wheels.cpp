@@ -6,8 +6,18 @@
 namespace ariadne::drivers {
 namespace {
 
-double Approach(double value, double target, double largest_step) {
-  return value + std::clamp(target - value, -largest_step, largest_step);
+/// A speed approaches its target by a constant acceleration, and stays there.
+struct Ramp {
+  double speed = 0.0;  // at the end
+  double way = 0.0;
+};
+
+Ramp Approach(double speed, double target, double acceleration, double duration) {
+  const double excess = target - speed;
+  const double accelerating = std::min(duration, std::abs(excess) / acceleration);
+  const double end =
+      accelerating < duration ? target : speed + std::copysign(acceleration, excess) * duration;
+  return {end, 0.5 * (speed + end) * accelerating + target * (duration - accelerating)};
 }
 
 /// Counters wrap around as those of the encoders do.
@@ -38,13 +48,11 @@ void Wheels::Command(const Velocity& target) {
 }
 
 WheelStep Wheels::Accelerate(double duration) {
-  const Velocity before = velocity_;
-  velocity_.forward = Approach(before.forward, target_.forward, options_.acceleration * duration);
-  velocity_.turning = Approach(before.turning, target_.turning, options_.turning_acceleration * duration);
-  const double forward = 0.5 * (before.forward + velocity_.forward);
-  const double turning = 0.5 * (before.turning + velocity_.turning);
+  const Ramp forward = Approach(velocity_.forward, target_.forward, options_.acceleration, duration);
+  const Ramp turning = Approach(velocity_.turning, target_.turning, options_.turning_acceleration, duration);
+  velocity_ = {forward.speed, turning.speed};
   WheelStep step;
-  step.encoded = control::WheelsOf(forward * duration, turning * duration, drawing_.track);
+  step.encoded = control::WheelsOf(forward.way, turning.way, drawing_.track);
   step.rolled.left = step.encoded.left * left_scale_ + Slip(step.encoded.left);
   step.rolled.right = step.encoded.right * right_scale_ + Slip(step.encoded.right);
   return step;

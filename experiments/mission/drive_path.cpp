@@ -1,5 +1,7 @@
 #include "experiments/mission/drive_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -20,7 +22,7 @@ constexpr double kLeft = 0.06;         // [m]
 constexpr double kLeftTurn = 0.1;      // [rad]
 constexpr double kWriggleTime = 1.5;   // for one motion [s]
 constexpr int kWriggles = 2;           // rounds
-constexpr double kBeside = -0.01;      // of cells and the robot [m]
+constexpr double kBeside = 0.03;       // of cells and the robot [m]
 constexpr double kTrailStep = 0.02;    // [m]
 constexpr double kTrailTurn = 0.02;    // [rad]
 
@@ -232,6 +234,12 @@ DriveReport PathDrive::Run() {
     held_at_start = held_at_start && touches && robot_.Now() < start + kStartingTime;
     const bool gives_up = Stalls();
     if (!gives_up && (!touches || held_at_start)) continue;
+    const slam::Pose2& at = localizer_.T_map_base();
+    report_.reason = fmt::format("{} at ({:.2f}, {:.2f}) m",
+                                 !gives_up       ? "touched something"
+                                 : held_by_base_ ? "something seen is in the way"
+                                                 : "no advance",
+                                 at.translation.x(), at.translation.y());
     Halt();
     if (!gives_up) held_by_base_ = ContactPlace(robot_, step.command);
     if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);

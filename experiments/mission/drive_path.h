@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "control/avoidance.h"
@@ -50,6 +51,7 @@ enum class DriveEnd {
 struct DriveReport {
   DriveEnd end = DriveEnd::kArrived;
   std::vector<Eigen::Vector2d> obstacles_map;  // that were met
+  std::string reason;                          // why it was given up
   std::vector<slam::Pose2> poses_map;          // driven, as the robot took itself to be, to its last place
   double length = 0.0;                         // [m]
 };

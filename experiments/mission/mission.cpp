@@ -157,6 +157,7 @@ void Explorer::Drive(const PlannedDrive& drive) {
   next_.driving_seconds = watch.Seconds();
   next_.view = drive.view;
   next_.drive = report.end;
+  next_.reason = report.reason;
   next_.leg_only = drive.leg_only;
   next_.of_disc = drive.of_disc;
   if (report.end == DriveEnd::kBlocked) {

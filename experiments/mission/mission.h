@@ -32,6 +32,7 @@ struct MissionStop {
   double distance = 0.0;                // driven up to here, by odometry [m]
   std::optional<planning::View> view;   // that the drive was for; none for the first scan, and on ways back
   DriveEnd drive = DriveEnd::kArrived;  // how the drive here ended
+  std::string reason;                   // where that was given up
   bool leg_only = false;                // it was a part of the way to the view
   bool of_disc = false;
   slam::Pose2 T_map_base_guess;  // as it came here

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "planning/path/geodesic.h"
 #include "slam/geometry/angles.h"
@@ -12,6 +13,7 @@ namespace {
 using slam::Pose2;
 
 constexpr double kSameTarget = 0.5;  // [m]
+constexpr double kCellReach = 0.03;  // of occupied cells beyond what occupies them [m]
 constexpr int kGivenUp = 2;          // drives to one place
 constexpr double kStep = 0.05;       // between the poses of a disc's path [m]
 
@@ -67,16 +69,19 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
   return apart;
 }
 
-/// With its full margin if it can, else with less: beside a wall a robot stands closer than it likes to
-/// drive.
+/// With its full margin if it can, else with less: beside a table a robot stands closer than it likes to
+/// drive, and cells reach a little beyond what occupies them.
 planning::PathResult FindPath(const planning::FreeSpace& space, const Pose2& T_map_base,
                               const Pose2& T_map_goal, const planning::PathOptions& options,
                               std::uint64_t seed) {
   planning::PathResult result;
-  for (const double share : {1.0, 0.4}) {
-    planning::PathOptions with_margin = options;
-    with_margin.footprint.margin *= share;
-    result = planning::PlanPath(space, T_map_base, T_map_goal, with_margin, seed);
+  for (const auto& [margin, shrunk] :
+       {std::pair(1.0, 0.0), std::pair(0.4, 0.0), std::pair(0.0, kCellReach)}) {
+    planning::PathOptions tighter = options;
+    tighter.footprint.margin *= margin;
+    tighter.footprint.length -= 2.0 * shrunk;
+    tighter.footprint.width -= 2.0 * shrunk;
+    result = planning::PlanPath(space, T_map_base, T_map_goal, tighter, seed);
     if (result.status == planning::PathStatus::kFound) break;
   }
   return result;

@@ -72,7 +72,9 @@ void WriteExploredMap(const MissionResult& result, const RunDirectory& run) {
 }  // namespace
 
 std::string StopLine(std::size_t index, const MissionStop& stop, const TrueStop& truth) {
-  const char* drive = stop.drive == DriveEnd::kBlocked ? ", blocked" : stop.of_disc ? ", disc's way" : "";
+  const std::string drive = stop.drive == DriveEnd::kBlocked ? ", gave up: " + stop.reason
+                            : stop.of_disc                   ? ", by the way of a disc"
+                                                             : "";
   return fmt::format("scan {:3}: {:5.0f} s, {:4.0f} m, {:5.1f} % of the walls, {:.0f} m unseen{}{}", index,
                      stop.time, truth.path, 100.0 * truth.covered, stop.unseen, drive,
                      stop.registered ? "" : ", NOT REGISTERED: " + stop.message);
