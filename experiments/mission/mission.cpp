@@ -160,6 +160,7 @@ void Explorer::Drive(const PlannedDrive& drive) {
   next_.reason = report.reason;
   next_.leg_only = drive.leg_only;
   next_.of_disc = drive.of_disc;
+  next_.driven_map = report.poses_map;
   if (report.end == DriveEnd::kBlocked) {
     NoteFailure(drive, report);
   } else {

@@ -35,6 +35,7 @@ struct MissionStop {
   std::string reason;                   // where that was given up
   bool leg_only = false;                // it was a part of the way to the view
   bool of_disc = false;
+  std::vector<slam::Pose2> driven_map;  // from the stop before, as the robot took itself to be
   slam::Pose2 T_map_base_guess;  // as it came here
   slam::Pose2 T_map_base;        // registered, as it was then
   bool registered = false;

@@ -31,9 +31,15 @@ export async function startBrowser(program, flags = []) {
   });
   const close = async () => {
     const ended = new Promise((resolve) => { browser.on('exit', resolve); });
-    browser.kill('SIGKILL');
+    send('Browser.close').catch(() => {});
+    const impatient = setTimeout(() => browser.kill('SIGKILL'), 10000);
     await ended;
-    rmSync(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 100 });
+    clearTimeout(impatient);
+    try {
+      rmSync(profile, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
+    } catch {
+      // A process of the browser that ends late still writes there; that is nothing about the page.
+    }
   };
   return { send, events, close };
 }
