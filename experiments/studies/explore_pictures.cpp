@@ -248,6 +248,24 @@ slam::Drawing DrawingOf(const ExploredStep& step, std::span<const Eigen::Vector2
   return drawing;
 }
 
+std::string StepsHtml(std::size_t count) {
+  if (count == 0) return "";
+  return fmt::format(
+      "<h2>Step by step</h2>\n"
+      "<p><label>Scan <output id=\"step-number\">{0}</output><br>\n"
+      "<input id=\"step-slider\" type=\"range\" min=\"0\" max=\"{0}\" value=\"{0}\" "
+      "style=\"width:100%\"></label></p>\n"
+      "<a id=\"step-link\" href=\"{1}.svg\"><img id=\"step-picture\" src=\"{1}.svg\" alt=\"what was known "
+      "and planned after this scan\" style=\"width:100%\"></a>\n"
+      "<script>document.getElementById('step-slider').addEventListener('input', event => {{\n"
+      "  const file = 'steps/step' + event.target.value.padStart(3, '0') + '.svg';\n"
+      "  document.getElementById('step-number').value = event.target.value;\n"
+      "  document.getElementById('step-picture').src = file;\n"
+      "  document.getElementById('step-link').href = file;\n"
+      "}});</script>\n",
+      count - 1, StepName(count - 1));
+}
+
 void StepKeeper::OnStop(const MissionStop& stop, const MissionMap& map) {
   step_ = {};
   step_.index = map.size() - 1;

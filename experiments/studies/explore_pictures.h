@@ -9,6 +9,9 @@ namespace ariadne::experiments {
 /// what stands in the way, the way so far with its numbered stops, the next view and the planned way.
 slam::Drawing DrawingOf(const ExploredStep& step, std::span<const Eigen::Vector2d> driven_map);
 
+/// The steps of a run for its page: one picture, and a slider that changes it.
+std::string StepsHtml(std::size_t count);
+
 /// Keeps what a mission knows and plans in the run, step by step, as it goes: steps/stepNNN.json and .svg.
 /// A step is written when its scan is registered, and again with what is planned from there.
 class StepKeeper {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "experiments/report/viewer.h"
+#include "experiments/studies/explore_pictures.h"
 #include "slam/io/file.h"
 #include "slam/io/ply.h"
 #include "slam/io/svg.h"
@@ -149,7 +150,9 @@ PageSection ExplorationView(const SimulatedMission& mission, const BuildingModel
   if (driven.points_map.size() > 1) scene.driven.push_back(std::move(driven));
   for (const planning::LabelledPolygon& polygon : result.area)
     scene.polygons.push_back({polygon, 1.5, last});
-  return ViewerSection(scene, "The model in 3D");
+  PageSection section = ViewerSection(scene, "The model in 3D");
+  section.html += StepsHtml(result.stops.size());
+  return section;
 }
 
 std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWorld& world,

@@ -21,7 +21,8 @@ Table StopTable(const SimulatedMission& mission);
 /// the way that was driven, where the scans were taken and where they were thought to be taken.
 slam::Drawing DrawMission(const SimulatedMission& mission, const Floor& floor);
 
-/// The interactive view of the points, the stops, the model and the way, in the map.
+/// The interactive view of the points, the stops, the model and the way, in the map, and the pictures of
+/// the steps.
 PageSection ExplorationView(const SimulatedMission& mission, const BuildingModel& model);
 
 /// Writes tables, trajectories and pictures; returns what to print.

@@ -35,6 +35,7 @@ struct Dimension {
   Vector3d from, to;
   Vector3d beside;  // towards the label [m]
   std::string label;
+  double at = 0.5;  // of the label, as a share of the way
 };
 
 Camera CameraOn(const std::vector<Vector3d>& corners, const std::vector<Dimension>& dimensions,
@@ -61,7 +62,7 @@ void DrawDimension(Image& picture, const Camera& camera, const Dimension& d) {
   TextStyle style = AnnotationText(picture, {});
   style.color = kDimension;
   style.halo_width = 4.0;
-  const ImagePoint place = Projector(camera)(0.5 * (d.from + d.to) + d.beside);
+  const ImagePoint place = Projector(camera)(d.from + d.at * (d.to - d.from) + d.beside);
   DrawText(picture, {place.u, place.v + 0.5 * style.cap_height}, d.label, style, Align::kCenter);
 }
 
@@ -126,7 +127,7 @@ void DrawTiltLabels(Image& picture, const Camera& camera, const drivers::AisScan
 Image ScannerPanel(const Fig01Options& options) {
   const TriangleMesh mesh = WithBeams(ScannerMesh(options.pitch), options);
   const std::vector<Dimension> dimensions{
-      {{0.12, -0.175, -0.16}, {0.12, 0.175, -0.16}, {0.02, 0.0, -0.05}, "0.35 m"},
+      {{0.12, -0.175, -0.16}, {0.12, 0.175, -0.16}, {0.02, 0.0, -0.05}, "0.35 m", 0.75},
       {{-0.12, 0.195, -0.14}, {0.12, 0.195, -0.14}, {0.0, 0.035, -0.01}, "0.24 m"},
       {{-0.12, 0.195, -0.14}, {-0.12, 0.195, 0.10}, {-0.03, 0.03, 0.0}, "0.24 m"}};
   std::vector<Vector3d> corners = mesh.vertices;

@@ -93,6 +93,13 @@ TEST(ExploredStep, IsDrawnWithAllThatItKnows) {
   EXPECT_TRUE(Layer(DrawingOf(last, step.driven_map), "planned").lines.empty());
 }
 
+TEST(StepsHtml, ShowsTheLastAndReachesAll) {
+  EXPECT_EQ(StepsHtml(0), "");
+  const std::string html = StepsHtml(12);
+  EXPECT_THAT(html, HasSubstr("max=\"11\" value=\"11\""));
+  EXPECT_THAT(html, HasSubstr("src=\"steps/step011.svg\""));
+}
+
 class ExploreStudyTest : public StudyTest {
  protected:
   /// Two rooms, coarse scans, three of them.
