@@ -256,7 +256,8 @@ std::string StepsHtml(std::size_t count) {
       "<input id=\"step-slider\" type=\"range\" min=\"0\" max=\"{0}\" value=\"{0}\" "
       "style=\"width:100%\"></label></p>\n"
       "<a id=\"step-link\" href=\"{1}.svg\"><img id=\"step-picture\" src=\"{1}.svg\" alt=\"what was known "
-      "and planned after this scan\" style=\"width:100%\"></a>\n"
+      "and planned after this scan\" "
+      "style=\"width:100%;max-height:42rem;object-fit:contain;background:#fff\"></a>\n"
       "<script>document.getElementById('step-slider').addEventListener('input', event => {{\n"
       "  const file = 'steps/step' + event.target.value.padStart(3, '0') + '.svg';\n"
       "  document.getElementById('step-number').value = event.target.value;\n"
@@ -286,6 +287,14 @@ void StepKeeper::OnPlan(const PlannedDrive& drive, const Surroundings& around) {
   step_.leg_only = drive.leg_only;
   step_.of_disc = drive.of_disc;
   step_.obstacles_map = around.obstacles_map;
+  Write();
+}
+
+void StepKeeper::OnEnd(const MissionResult& result) {
+  step_.view.reset();
+  step_.planned_map.clear();
+  step_.area = result.area;
+  step_.obstacles_map = result.obstacles_map;
   Write();
 }
 

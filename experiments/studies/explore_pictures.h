@@ -21,6 +21,8 @@ class StepKeeper {
 
   void OnStop(const MissionStop& stop, const MissionMap& map);
   void OnPlan(const PlannedDrive& drive, const Surroundings& around);
+  /// The last step then shows what is known in the end.
+  void OnEnd(const MissionResult& result);
 
  private:
   void Write() const;
