@@ -36,7 +36,7 @@ MeasuringMode MeasuringModeOf(const Config& config) {
   return static_cast<MeasuringMode>(config.bytes[kMeasuringModeAt]);
 }
 
-Unit UnitOf(const Config& config) { return static_cast<Unit>(config.bytes[kUnitAt]); }
+LengthUnit UnitOf(const Config& config) { return static_cast<LengthUnit>(config.bytes[kUnitAt]); }
 
 bool HasRealTimeIndices(const Config& config) { return (config.bytes[kAvailabilityAt] & kIndicesBit) != 0; }
 
@@ -45,7 +45,7 @@ Config WithMeasuringMode(Config config, MeasuringMode mode) {
   return config;
 }
 
-Config WithUnit(Config config, Unit unit) {
+Config WithUnit(Config config, LengthUnit unit) {
   config.bytes[kUnitAt] = static_cast<std::uint8_t>(unit);
   return config;
 }

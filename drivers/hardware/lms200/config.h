@@ -23,12 +23,12 @@ Config FactoryConfig(std::size_t size = kConfigSize);
 Config ConfigOf(ByteView bytes);
 
 MeasuringMode MeasuringModeOf(const Config& config);
-Unit UnitOf(const Config& config);
+LengthUnit UnitOf(const Config& config);
 bool HasRealTimeIndices(const Config& config);
 
 /// The same configuration with one thing changed.
 Config WithMeasuringMode(Config config, MeasuringMode mode);
-Config WithUnit(Config config, Unit unit);
+Config WithUnit(Config config, LengthUnit unit);
 Config WithRealTimeIndices(Config config, bool enabled);
 
 }  // namespace ariadne::drivers::lms200

@@ -105,7 +105,7 @@ StatusReply DecodeStatus(ByteView payload) {
   status.baud = BaudOfWord(WordAt(payload, kBaudAt));
   status.permanent_baud = FlagAt(payload, kPermanentBaudAt);
   status.address = payload[kAddressAt];
-  status.unit = static_cast<Unit>(payload[kUnitPlace]);
+  status.unit = static_cast<LengthUnit>(payload[kUnitPlace]);
   status.laser_on = FlagAt(payload, kLaserAt);
   status.boot_prom = TextAt(payload, kBootPromAt);
   status.status = payload.back();

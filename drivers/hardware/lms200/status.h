@@ -21,7 +21,7 @@ struct StatusReply {
   int baud = 9600;
   bool permanent_baud = false;  // whether `baud` is also that of the next power-on
   std::uint8_t address = 0;
-  Unit unit = Unit::kCentimetre;
+  LengthUnit unit = LengthUnit::kCentimetre;
   bool laser_on = true;
   std::string boot_prom;  // version, 7 characters
   std::uint8_t status = 0x10;

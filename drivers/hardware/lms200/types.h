@@ -60,9 +60,9 @@ constexpr std::array<int, 4> kBaudRates{9600, 38400, 19200, 500000};
 Mode ModeOfBaud(int baud);
 
 /// The units of distances.
-enum class Unit : std::uint8_t { kCentimetre = 0, kMillimetre = 1 };
+enum class LengthUnit : std::uint8_t { kCentimetre = 0, kMillimetre = 1 };
 
-constexpr double Metres(Unit unit) { return unit == Unit::kMillimetre ? 0.001 : 0.01; }
+constexpr double Metres(LengthUnit unit) { return unit == LengthUnit::kMillimetre ? 0.001 : 0.01; }
 
 /// What the bits of a measured value mean (spec 9.2).
 enum class MeasuringMode : std::uint8_t {

@@ -36,7 +36,7 @@ std::size_t ReadHead(WireReader& reader, MeasuredValues& values) {
   reader.Word(head);
   const int unit = head >> kUnitShift;
   if (unit > 1) Fail("measured values of the LMS-200 are in cm (0) or mm (1), not in unit {}", unit);
-  values.unit = static_cast<Unit>(unit);
+  values.unit = static_cast<LengthUnit>(unit);
   values.partial = (head & kPartialBit) != 0;
   values.offset = head >> kOffsetShift & 3;
   return head & kCountMask;

@@ -25,7 +25,7 @@ struct MeasuredValues {
   std::uint8_t samples = 0;  // in a mean
   std::uint16_t first = 0;   // beams of the subrange from 1 on, both included
   std::uint16_t last = 0;
-  Unit unit = Unit::kCentimetre;
+  LengthUnit unit = LengthUnit::kCentimetre;
   bool partial = false;              // one turn of a finer sweep ...
   int offset = 0;                    // ... whose beams lie so many 0.25 deg further
   std::vector<std::uint16_t> words;  // as sent, with flags

@@ -63,7 +63,7 @@ TEST(Lms200Config, ChangesOneByteOnly) {
     EXPECT_EQ(after.bytes, wanted);
   };
   expect_only(WithMeasuringMode(before, MeasuringMode::k32m), 5, 0x0F);
-  expect_only(WithUnit(before, Unit::kMillimetre), 6, 1);
+  expect_only(WithUnit(before, LengthUnit::kMillimetre), 6, 1);
   expect_only(WithRealTimeIndices(before, true), 4, static_cast<std::uint8_t>(bytes[4] | 2));
   expect_only(WithRealTimeIndices(before, false), 4, static_cast<std::uint8_t>(bytes[4] & ~2));
   bytes[6] = 2;
@@ -86,7 +86,7 @@ TEST(Lms200Status, HasEachThingInItsPlace) {
   status.baud = 500000;
   status.permanent_baud = true;
   status.address = 5;
-  status.unit = Unit::kMillimetre;
+  status.unit = LengthUnit::kMillimetre;
   status.boot_prom = "X01";
   const Bytes payload = EncodeStatus(status);
   ASSERT_EQ(payload.size(), 154U);

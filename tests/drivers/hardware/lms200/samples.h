@@ -33,7 +33,7 @@ inline Bytes DrawBytes(RandomStream& stream, std::size_t count) {
 inline MeasuredValues AnyValues(RandomStream& stream) {
   MeasuredValues values;
   values.code = std::vector<std::uint8_t>{0xB0, 0xB6, 0xB7, 0xBF, 0xC4}[Draw(stream, 0, 4)];
-  values.unit = static_cast<Unit>(Draw(stream, 0, 1));
+  values.unit = static_cast<LengthUnit>(Draw(stream, 0, 1));
   values.partial = values.code == 0xB0 && Draw(stream, 0, 1) == 1;
   values.offset = values.partial ? static_cast<int>(Draw(stream, 0, 3)) : 0;
   std::size_t count = std::vector<std::size_t>{101, 181, 201, 361}[Draw(stream, 0, 3)];
@@ -70,7 +70,7 @@ inline StatusReply AnyStatus(RandomStream& stream) {
   status.baud = kBaudRates[Draw(stream, 0, 3)];
   status.permanent_baud = Draw(stream, 0, 1) == 1;
   status.address = DrawByte(stream);
-  status.unit = Unit::kMillimetre;
+  status.unit = LengthUnit::kMillimetre;
   status.laser_on = Draw(stream, 0, 1) == 1;
   status.boot_prom = "X01.27";
   status.status = DrawByte(stream);

@@ -19,11 +19,11 @@ Bytes Payload(std::uint16_t head, std::size_t count, std::size_t extra = 0) {
 TEST(Lms200Values, HaveTheHeadOfTheSpec) {
   const MeasuredValues whole = DecodeMeasuredValues(Payload(0x4000 | 361, 361));
   EXPECT_EQ(whole.words.size(), 361U);
-  EXPECT_EQ(whole.unit, Unit::kMillimetre);
+  EXPECT_EQ(whole.unit, LengthUnit::kMillimetre);
   EXPECT_FALSE(whole.partial);
   EXPECT_FALSE(whole.indices);
   const MeasuredValues partial = DecodeMeasuredValues(Payload(0x2000 | 3 << 11 | 180, 180, 2));
-  EXPECT_EQ(partial.unit, Unit::kCentimetre);
+  EXPECT_EQ(partial.unit, LengthUnit::kCentimetre);
   EXPECT_TRUE(partial.partial);
   EXPECT_EQ(partial.offset, 3);
   EXPECT_TRUE(partial.indices);
