@@ -9,7 +9,6 @@ namespace {
 /// one (spec 9.1), and adapters keep bytes back for up to 16 ms.
 constexpr double kLongestPause = 0.05;  // [s]
 
-constexpr double kAckTime = 0.06;       // to the device's ACK (spec 9.1) [s]
 constexpr double kAdapterTime = 0.03;   // what adapters and the system may add, there and back [s]
 constexpr double kWaitAfterNak = 0.03;  // spec 9.1 [s]
 
@@ -33,6 +32,13 @@ void Link::SetBaud(int baud) {
   line_.SetBaud(baud);
   counters_.garbage += decoder_.garbage();
   decoder_ = TelegramDecoder(Sender::kDevice);
+}
+
+double Link::UsualAck() const {
+  if (acks_.empty()) return kLongestAck;
+  std::deque<double> sorted = acks_;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted[sorted.size() / 2];
 }
 
 std::optional<Link::Item> Link::NextItem(double deadline) {
@@ -102,8 +108,9 @@ std::optional<Link::Arrived> Link::AskOnce(const Command& command, double reply_
   const Bytes frame = EncodeTelegram({0, EncodeCommand(command)});
   line_.Write(frame);
   const double longest = TimeOf(kMaxPayload + kFrameSize);
-  const double sent = line_.Now() + TimeOf(frame.size()) + kAdapterTime;
-  double deadline = sent + kAckTime;
+  const double asked = line_.Now() + TimeOf(frame.size());
+  const double sent = asked + kAdapterTime;
+  double deadline = sent + kLongestAck;
   bool busy = false;
   bool acknowledged = false;
   while (true) {
@@ -111,7 +118,7 @@ std::optional<Link::Arrived> Link::AskOnce(const Command& command, double reply_
     if (!item) {
       if (busy || acknowledged || last_byte_ < sent - kAdapterTime) return std::nullopt;
       busy = true;
-      deadline = sent + kAckTime + longest;
+      deadline = sent + kLongestAck + longest;
       continue;
     }
     if (!acknowledged && item->received.kind == Received::Kind::kNak) {
@@ -121,10 +128,14 @@ std::optional<Link::Arrived> Link::AskOnce(const Command& command, double reply_
     }
     if (!acknowledged && item->received.kind == Received::Kind::kAck) {
       acknowledged = true;
+      acks_.push_back(item->time - asked);
+      if (acks_.size() > 7) acks_.pop_front();
       deadline = item->time + kAdapterTime + reply_time + 2.0 * longest;
     }
     std::optional<Arrived> arrived = ReplyOf(*item);
-    if (arrived && Answers(arrived->reply, command.code)) return arrived;
+    if (!arrived || !Answers(arrived->reply, command.code)) continue;
+    arrived->asked = asked;
+    return arrived;
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,9 @@
 #include "drivers/hardware/lms200/telegram_decoder.h"
 
 namespace ariadne::drivers::lms200 {
+
+/// To the device's ACK (spec 9.1) [s].
+constexpr double kLongestAck = 0.06;
 
 /// What a link has seen, since it was made.
 struct LinkCounters {
@@ -32,6 +36,7 @@ class Link {
     Reply reply;
     double time = 0.0;     // when the last byte was there [s]
     std::size_t size = 0;  // of the frame [B]
+    double asked = 0.0;    // when the request had left, of the reply to one [s]
   };
 
   /// The next reply that arrives by itself until `deadline` [s]; bad ones are counted and passed over.
@@ -49,6 +54,9 @@ class Link {
   const ByteStream& line() const { return line_; }
   LinkCounters counters() const;
 
+  /// From a request to its ACK, as a rule: the median of the latest; 60 ms before the first one [s].
+  double UsualAck() const;
+
   /// How long so many bytes take on the line [s].
   double TimeOf(std::size_t bytes) const { return static_cast<double>(bytes) * 10.0 / line_.baud(); }
 
@@ -65,7 +73,8 @@ class Link {
   ByteStream& line_;
   TelegramDecoder decoder_{Sender::kDevice};
   LinkCounters counters_;
-  double last_byte_ = 0.0;  // [s]
+  double last_byte_ = 0.0;   // [s]
+  std::deque<double> acks_;  // how long the latest took [s]
 };
 
 }  // namespace ariadne::drivers::lms200

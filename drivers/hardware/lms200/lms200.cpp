@@ -204,26 +204,34 @@ Lms200Sweep Lms200::TakeSweep() {
     StopStream();
     return sweep;
   }
-  const double duration = options_.turn_period * lms200::TurnsOf(variant_);
   const double give_up = line_->Now() + options_.recovery_time;
   while (line_->Now() < give_up) {
-    const double asked = line_->Now();
-    const auto arrived = link_.Ask(lms200::CommandOf(lms200::Code::kScan), duration + 0.05, 1);
-    const auto* values = arrived ? std::get_if<lms200::MeasuredValues>(&arrived->reply) : nullptr;
-    if (values == nullptr) {
-      if (!link_.Ask(lms200::CommandOf(lms200::Code::kStatus), 0.1, 2)) Recover();
-      continue;
+    if (std::optional<Lms200Sweep> sweep = AskForSweep()) {
+      ++counters_.sweeps;
+      return std::move(*sweep);
     }
-    FailIfBroken(lms200::DeviceStatusOf(values->status));
-    const double end = arrived->time - link_.TimeOf(arrived->size);
-    const bool in_time = end <= asked + link_.TimeOf(8) + 0.07 + duration;
-    if (!IsExpected(*values)) ++counters_.unexpected;
-    if (!in_time) ++counters_.no_time;
-    if (!IsExpected(*values) || !in_time) continue;
-    ++counters_.sweeps;
-    return SweepOf({Part{*values, end - options_.output_delay}});
+    if (!link_.Ask(lms200::CommandOf(lms200::Code::kStatus), 0.1, 2)) Recover();
   }
   FailSilent();
+}
+
+/// The sweep ends at most its duration after the ACK; what comes later was delayed, nobody knows for how
+/// long.
+std::optional<Lms200Sweep> Lms200::AskForSweep() {
+  constexpr double kSlack = 0.005;  // [s]
+  const double duration = options_.turn_period * lms200::TurnsOf(variant_);
+  const auto arrived = link_.Ask(lms200::CommandOf(lms200::Code::kScan), duration + 0.05, 1);
+  const auto* values = arrived ? std::get_if<lms200::MeasuredValues>(&arrived->reply) : nullptr;
+  if (values == nullptr) return std::nullopt;
+  const lms200::DeviceStatus status = lms200::DeviceStatusOf(values->status);
+  FailIfBroken(status);
+  const double end = arrived->time - link_.TimeOf(arrived->size);
+  const bool in_time = end <= arrived->asked + link_.UsualAck() + duration + kSlack;
+  const bool expected = IsExpected(*values) && !status.restart && !status.implausible;
+  if (!expected) ++counters_.unexpected;
+  if (!in_time) ++counters_.no_time;
+  if (!expected || !in_time) return std::nullopt;
+  return SweepOf({Part{*values, end - options_.output_delay}});
 }
 
 }  // namespace ariadne::drivers

@@ -119,6 +119,7 @@ class Lms200 {
 
   bool IsExpected(const lms200::MeasuredValues& values) const;
   std::optional<Lms200Sweep> Accept(const lms200::Link::Arrived& arrived);
+  std::optional<Lms200Sweep> AskForSweep();
   std::optional<Lms200Sweep> AddPart(Part part);
   Lms200Sweep SweepOf(const std::vector<Part>& parts) const;
   void FailIfBroken(const lms200::DeviceStatus& status);

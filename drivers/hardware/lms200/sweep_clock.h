@@ -19,15 +19,16 @@ struct SweepClockOptions {
     visit("drift", self.drift, Unit(""), Range{0.0, 0.05},
           "of the mirror's period against the nominal one");
     visit("confirmations", self.confirmations, Unit(""), Range{1, 100},
-          "arrivals at even distances before one is believed, at the start and after a gap");
+          "arrivals that agree before one is believed, at the start and after a loss");
   }
 };
 
 /// When sweeps ended, by the mirror's beat instead of by when their telegrams arrived: the mirror turns
 /// evenly, and lines only delay. The beat is what the earliest arrivals fit; it follows later ones by no
-/// more than the drift of the mirror. Arrivals that do not fit it, or after one that is missing, may belong
-/// to any turn: they have no time until some come at even distances again. A line that is slower than the
-/// mirror leaves sweeps out, always as many.
+/// more than the drift of the mirror. An arrival has a time if it fits the beat, and if as many sweeps have
+/// arrived as the mirror has made: then none is missing, and none can be of an earlier turn. After a loss
+/// some must agree on how many are missing. A line that is slower than the mirror leaves sweeps out, always
+/// as many.
 class SweepClock {
  public:
   /// `period` [s] from one sweep of the mirror to the next.
@@ -42,18 +43,27 @@ class SweepClock {
   void Reset();
 
  private:
-  void Confirm(double observed);
+  void Follow(double observed);
+  std::optional<double> TakeUpBeat();
+  bool IsCounted(double turns);
 
   double period_;
   SweepClockOptions options_;
+
+  // The latest arrivals at even distances:
   bool has_previous_ = false;
   double previous_ = 0.0;  // observed [s]
   int confirmed_ = 0;      // even distances so far
-  double distance_ = 0.0;  // between sweeps that are sent, in periods
-  double chain_ = 0.0;     // the end that the arrivals at even distances fit [s]
+  double distance_ = 0.0;  // in periods
+  double chain_ = 0.0;     // the end that the earliest of them tells [s]
+
+  // What is believed:
   bool has_beat_ = false;
-  double usual_ = 1.0;  // distance of the sweeps that were believed, in periods
-  double beat_ = 0.0;   // the end that is believed [s]
+  double beat_ = 0.0;     // the end of the last sweep with a time [s]
+  double usual_ = 1.0;    // distance of the sweeps that are sent, in periods
+  double arrived_ = 0.0;  // sweeps since then
+  double missing_ = 0.0;  // of them
+  int agreed_ = 0;        // arrivals that say so, after the first one
 };
 
 }  // namespace ariadne::drivers::lms200

@@ -33,5 +33,40 @@ TEST(LineFaults, OfOneSeedNeverMakeAWrongRange) {
   EXPECT_GT(count.sweeps, 1000);
 }
 
+TEST(LineFaults, NeverMakeAWrongRangeOnRequest) {
+  RandomStream stream = NamedStream(3, "on request");
+  for (const double resolution : {1.0, 0.5}) {
+    Lms200Bench bench(With(180, resolution));
+    bench.driver->Connect();
+    for (int i = 0; i < 200; ++i) {
+      const double now = bench.driver->Now();
+      bench.line->Inject(DrawFault(stream, now, now + 0.05));
+      const Lms200Sweep sweep = bench.driver->TakeSweep();
+      ASSERT_TRUE(bench.IsRight(sweep, bench.driver->scanner().turns_per_sweep / 75.0 + 0.006)) << i;
+      ASSERT_LT(bench.driver->Now(), now + 0.35 + 2.0 + 5.0);  // the fault, a boot, and 5 s
+    }
+  }
+}
+
+/// A line that returns after minutes finds the driver still asking, or gone with a sentence.
+TEST(LineFaults, EndInASentenceWhereTheyDoNotEnd) {
+  Lms200Options options = With(180, 1.0);
+  options.recovery_time = 10.0;
+  Lms200Bench bench(options);
+  bench.driver->StartStream();
+  LineFault dead;
+  dead.kind = Kind::kDead;
+  dead.time = bench.driver->Now();
+  dead.duration = 60.0;
+  bench.line->Inject(dead);
+  try {
+    while (true) bench.driver->NextSweep();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("see its power and its cable"), std::string::npos);
+  }
+  EXPECT_GT(bench.driver->Now(), dead.time + 10.0);
+  EXPECT_LT(bench.driver->Now(), dead.time + 20.0);
+}
+
 }  // namespace
 }  // namespace ariadne::drivers
