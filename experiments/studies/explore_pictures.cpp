@@ -200,8 +200,8 @@ void AppendLegend(slam::Drawing& drawing, const ExploredStep& step) {
   for (const auto& [name, text] : StepLegend()) {
     const auto layer = std::ranges::find(drawing.layers, name, &slam::DrawingLayer::name);
     if (layer->lines.empty() && layer->points.empty()) continue;
-    const Eigen::Vector2d place =
-        begin + Eigen::Vector2d(kColumn * (count % columns), -kPitch * (1 + count / columns));
+    const int column = count % columns, row = 1 + count / columns;
+    const Eigen::Vector2d place = begin + Eigen::Vector2d(kColumn * column, -kPitch * row);
     AppendSample(*layer, place, kSample);
     WriteOn(ink, place + Eigen::Vector2d(1.3 * kSample, 0.0), text, kHeight, false);
     ++count;

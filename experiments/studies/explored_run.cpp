@@ -27,7 +27,7 @@ void CheckExploredRun(const ExploredRunOptions& options) {
 std::filesystem::path ExploredRunFor(const ExploredRunOptions& options, const RunDirectory& run,
                                      ProgressDisplay& progress) {
   if (!options.run.empty()) return options.run;
-  const std::filesystem::path path = run.path() / "exploration";
+  std::filesystem::path path = run.path() / "exploration";
   if (IsFinished(path)) return path;
   const RunDirectory inner(
       path, HoldsRun(path) ? RunDirectory::Existing::kResume : RunDirectory::Existing::kRefuse);

@@ -124,7 +124,8 @@ std::string RunFig13(const Fig13Options& options, const RunDirectory& run, Progr
   const std::vector<Image> boxes =
       BoxPictures(model, WithoutCeiling(explored.scans).max, 3 * options.width / 2);
   if (!boxes.empty())
-    WritePng(run.File("figures/fig_13_boxes.png"), WithTitle(Grid(boxes), "Boxes around objects"));
+    WritePng(run.File("figures/fig_13_boxes.png"),
+             WithTitle(Grid(boxes), "Boxes around objects", {.cap_height = 20.0}));
   const Table table = StepTable(explored.steps, panels.size());
   run.WriteCsv("scans.csv", table);
   run.WriteJson("metrics.json",
