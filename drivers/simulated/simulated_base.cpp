@@ -113,7 +113,7 @@ double SimulatedBase::ShareUntilContact(const WheelStep& step, double time) cons
 
 void SimulatedBase::NoteContact(bool stopped) {
   if (stopped) {
-    if (!contact_) ++collisions_;
+    if (!contact_) collision_times_.push_back(now_);
     contact_ = T_map_base_;
   } else if (contact_) {
     const slam::Pose2 moved = contact_->Inverse() * T_map_base_;

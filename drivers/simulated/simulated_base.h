@@ -66,7 +66,9 @@ class SimulatedBase {
   Motion WayBetween(double from, double to) const;
 
   /// How often the world stopped the robot. Pushing on against the same thing counts once.
-  int collisions() const { return collisions_; }
+  int collisions() const { return static_cast<int>(collision_times_.size()); }
+  /// When [s].
+  const std::vector<double>& collision_times() const { return collision_times_; }
 
  private:
   double NextStep() const;
@@ -86,7 +88,7 @@ class SimulatedBase {
   slam::Pose2 T_map_base_;
   std::vector<TruePose> path_;
   std::optional<slam::Pose2> contact_;  // where the robot was stopped, until it is clear of that
-  int collisions_ = 0;
+  std::vector<double> collision_times_;
 };
 
 }  // namespace ariadne::drivers

@@ -9,13 +9,14 @@ namespace {
 constexpr double kMappedWithin = 0.1;  // between a wall and the edge that shows it [m]
 constexpr double kTruePathStep = 0.05;
 
-/// The watcher.
+/// The watcher. What it notes is of the time of each stop: a robot whose mission is replayed from a log has
+/// been brought to the end of that already.
 class Watcher {
  public:
   Watcher(const drivers::SimulatedRobot& robot, const FloorToExplore& floor,
           const FloorScannerOptions& scanner)
       : robot_(robot), floor_(floor), scanner_(scanner), seen_(floor.cover.places_map.size()) {
-    result_.path_world.push_back(robot.T_map_base_true().translation);
+    result_.path_world.push_back(robot.path_true().front().T_map_base.translation);
   }
 
   TrueStop Note(const MissionStop& stop, const MissionMap& map);
@@ -24,7 +25,8 @@ class Watcher {
  private:
   double CoveredFrom(const slam::Pose2& T_world_scan);
   double MappedShare(std::span<const planning::LabelledPolygon> area_map) const;
-  double NotePath();
+  void NotePath(double until);
+  int CollisionsUntil(double time) const;
 
   const drivers::SimulatedRobot& robot_;
   const FloorToExplore& floor_;
@@ -50,34 +52,40 @@ double Watcher::MappedShare(std::span<const planning::LabelledPolygon> area_map)
   return static_cast<double>(mapped) / static_cast<double>(floor_.cover.places_map.size());
 }
 
-double Watcher::NotePath() {
+/// Goes on along the path to where the robot was at a time [s].
+void Watcher::NotePath(double until) {
   const std::vector<drivers::TruePose>& path = robot_.path_true();
-  for (; path_noted_ + 1 < path.size(); ++path_noted_) {
+  for (; path_noted_ + 1 < path.size() && path[path_noted_ + 1].time <= until; ++path_noted_) {
     const Eigen::Vector2d& to = path[path_noted_ + 1].T_map_base.translation;
     path_ += (to - path[path_noted_].T_map_base.translation).norm();
     if ((to - result_.path_world.back()).norm() > kTruePathStep) result_.path_world.push_back(to);
   }
-  return path_;
+}
+
+int Watcher::CollisionsUntil(double time) const {
+  return static_cast<int>(
+      std::ranges::count_if(robot_.collision_times(), [time](double at) { return at <= time; }));
 }
 
 TrueStop Watcher::Note(const MissionStop& stop, const MissionMap& map) {
   TrueStop truth;
-  truth.T_world_base = robot_.T_map_base_true();
+  NotePath(stop.time);
+  truth.T_world_base = robot_.path_true()[path_noted_].T_map_base;
   if (result_.truth.empty()) result_.T_world_map = truth.T_world_base * stop.T_map_base.Inverse();
   result_.T_world_laser.push_back(slam::ToPose3(truth.T_world_base) * robot_.T_base_laser());
-  truth.path = NotePath();
+  truth.path = path_;
   truth.covered = CoveredFrom(FromAbove(result_.T_world_laser.back()));
   truth.mapped = MappedShare(map.Area(0));
-  truth.collisions = robot_.collisions();
+  truth.collisions = CollisionsUntil(stop.time);
   result_.truth.push_back(truth);
   return truth;
 }
 
 SimulatedMission Watcher::Finish(MissionResult mission) {
   result_.mission = std::move(mission);
-  NotePath();
+  NotePath(result_.mission.time);
   result_.truth.back().mapped = MappedShare(result_.mission.area);
-  result_.collisions = robot_.collisions();
+  result_.collisions = CollisionsUntil(result_.mission.time);
   return std::move(result_);
 }
 

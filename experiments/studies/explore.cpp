@@ -13,6 +13,7 @@
 #include "experiments/studies/explore_model.h"
 #include "experiments/studies/explore_pictures.h"
 #include "experiments/studies/explore_report.h"
+#include "experiments/studies/unlogged_end.h"
 #include "slam/io/cloud_io.h"
 #include "slam/io/file.h"
 #include "slam/io/uos_pose.h"
@@ -106,14 +107,15 @@ std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& r
   const auto seed = static_cast<std::uint64_t>(options.seed);
   drivers::SimulatedRobot robot(world.scene, robot_options, seed);
   LoggedSimulation logged(robot, run.File("robot.log"));
+  UnloggedEnd driven(logged.robot(), robot);
   StepKeeper steps(run);
   std::size_t stops = 0;
   const auto on_true_stop = [&](const MissionStop& at, const TrueStop& truth) {
     progress.Keep(StopLine(stops++, at, truth));
   };
-  const SimulatedMission mission =
-      RunSimulatedMission(robot, logged.robot(), world.floor, options.scanner, mission_options, seed,
-                          EventsOf(run, progress, logged.robot(), steps, stop), on_true_stop);
+  const SimulatedMission mission = RunSimulatedMission(
+      robot, driven, world.floor, options.scanner, mission_options, seed,
+      EventsOf(run, progress, logged.robot(), steps, driven.Latched(stop)), on_true_stop);
   progress.Show("the report");
   std::string text = ReportExploration(mission, world, run, Parallel(options.threads));
   if (mission.mission.end == MissionEnd::kStopped) {

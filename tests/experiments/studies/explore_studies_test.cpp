@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "experiments/config/options_io.h"
 #include "experiments/report/table.h"
 #include "experiments/studies/explore_pictures.h"
 #include "experiments/studies/explored_run.h"
@@ -150,6 +151,22 @@ TEST_F(ExploreStudyTest, LeavesStepsAndTheModelThatFiguresAreDrawnOf) {
   EXPECT_GT(std::stod(scans.rows[0][2]), 0.0) << "something is unseen";
   for (const char* file : {"fig_13/figures/fig_13_scans.png", "fig_13/figures/fig_13_boxes.png"})
     EXPECT_THAT(Content(file), StartsWith("\x89PNG")) << file;
+}
+
+TEST_F(ExploreStudyTest, StoppedAndResumedItLeavesTheSameSteps) {
+  OptionEntries entries = Quick();
+  entries.Set("integrate=false");
+  Run("explore", entries, "whole");
+  const auto options = ReadOptions<ExploreStudyOptions>(entries);
+  ProgressDisplay silent(true);
+  int commands = 0;
+  RunExplore(options, RunDirectory(folder_ / "cut", RunDirectory::Existing::kRefuse), silent,
+             [&commands] { return ++commands > 60; });
+  EXPECT_EQ(ReadJson("cut/progress.json")["state"], "stopped");
+  EXPECT_LT(ReadSteps(folder_ / "cut").size(), 3U);
+  RunExplore(options, RunDirectory(folder_ / "cut", RunDirectory::Existing::kResume), silent);
+  for (const char* file : {"steps/step000.svg", "steps/step001.json", "steps/step002.svg", "stops.csv"})
+    EXPECT_EQ(Content(std::string("cut/") + file), Content(std::string("whole/") + file)) << file;
 }
 
 TEST_F(ExploreStudyTest, AFigureWithoutARunExploresFirst) {
