@@ -9,9 +9,11 @@
 #include <stdexcept>
 #include <string>
 
+#include "drivers/hardware/dynamixel/packet.h"
 #include "drivers/hardware/lms200/command.h"
 #include "drivers/hardware/lms200/reply.h"
 #include "drivers/hardware/lms200/telegram_decoder.h"
+#include "drivers/hardware/roboclaw/packet.h"
 #include "drivers/replay/log_frame.h"
 #include "drivers/replay/robot_log.h"
 #include "slam/base/error.h"
@@ -200,7 +202,61 @@ bool AcceptsLms200Payload(std::string_view bytes) {
   });
 }
 
-constexpr std::array<Reader, 17> kReaders{{{"uos_cloud", AcceptsUosCloud},
+/// The packets on a servo's bus, without what lies between them.
+std::string PacketsIn(std::string_view bytes, std::size_t piece) {
+  drivers::dynamixel::PacketDecoder decoder;
+  std::string packets;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+    decoder.Push(ViewOf(bytes.substr(0, piece)));
+    while (const std::optional<drivers::dynamixel::Packet> packet = decoder.Next()) {
+      const drivers::Bytes encoded = drivers::dynamixel::EncodePacket(*packet);
+      packets.append(encoded.begin(), encoded.end());
+    }
+  }
+  return packets;
+}
+bool AcceptsDynamixel(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    std::string packets = PacketsIn(all, all.size() + 1);
+    if (PacketsIn(all, 1) != packets) throw std::logic_error("pieces are read differently");
+    if (packets.empty()) Fail("no packet");
+    return packets;
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const std::string& packets) { out << packets; });
+}
+
+/// Requests to a motor board at address 0x80, and what else may stand between them.
+std::string RequestsIn(std::string_view bytes, std::size_t piece) {
+  drivers::roboclaw::RequestDecoder decoder(0x80);
+  std::string requests;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+    decoder.Push(ViewOf(bytes.substr(0, piece)));
+    while (const std::optional<drivers::roboclaw::Request> request = decoder.Next()) {
+      const drivers::Bytes encoded = drivers::roboclaw::EncodeRequest(0x80, request->code, request->data);
+      requests.append(encoded.begin(), encoded.end());
+    }
+  }
+  return requests;
+}
+bool AcceptsRoboclaw(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    std::string requests = RequestsIn(all, all.size() + 1);
+    if (RequestsIn(all, 1) != requests) throw std::logic_error("pieces are read differently");
+    for (const auto code : {drivers::roboclaw::Code::kEncoders, drivers::roboclaw::Code::kVersion}) {
+      try {
+        drivers::roboclaw::DecodeReply(0x80, code, ViewOf(all));
+      } catch (const Error&) {  // the proper answer to damage
+      }
+    }
+    if (requests.empty()) Fail("no request");
+    return requests;
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const std::string& requests) { out << requests; });
+}
+
+constexpr std::array<Reader, 19> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -216,7 +272,9 @@ constexpr std::array<Reader, 17> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"robot_log", AcceptsRobotLog},
                                            {"robot_call", AcceptsRobotCall},
                                            {"lms200_stream", AcceptsLms200Stream},
-                                           {"lms200_payload", AcceptsLms200Payload}}};
+                                           {"lms200_payload", AcceptsLms200Payload},
+                                           {"dynamixel", AcceptsDynamixel},
+                                           {"roboclaw", AcceptsRoboclaw}}};
 
 }  // namespace
 

@@ -64,7 +64,8 @@ std::optional<Packet> Servo::AskOnce(const Packet& packet) {
 
 /// The data of the answer.
 Bytes Servo::Ask(const Packet& packet, std::size_t data_size) {
-  for (int i = 0; i < kTries; ++i) {
+  const double give_up = line_->Now() + options_.recovery_time;
+  for (int i = 0; i < kTries || line_->Now() < give_up; ++i) {
     if (i > 0) ++repeated_;
     const std::optional<Packet> reply = AskOnce(packet);
     if (!reply) continue;

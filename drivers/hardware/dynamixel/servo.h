@@ -39,6 +39,7 @@ struct ServoOptions {
   double min_angle = -1.4;
   double max_angle = 1.4;
   double reply_time = 0.02;
+  double recovery_time = 1.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -50,6 +51,8 @@ struct ServoOptions {
     visit("max_angle", self.max_angle, Unit("rad"), Range{-3.14, 3.14}, "that the mount bears");
     visit("reply_time", self.reply_time, Unit("s"), Range{0.001, 1.0},
           "to the end of a reply, beyond what the line needs; adapters keep bytes for up to 16 ms");
+    visit("recovery_time", self.recovery_time, Unit("s"), Range{0.0, 60.0},
+          "for which a silent servo is asked again");
   }
 };
 

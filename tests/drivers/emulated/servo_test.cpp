@@ -143,7 +143,7 @@ TEST(Servo, IsNeverWrongOverABadLine) {
       DiscardUntil(*bench.line, bench.line->Now() + 0.4);
     }
   }
-  EXPECT_GT(answered, 700);
+  EXPECT_GT(answered, 950);
 }
 
 }  // namespace
