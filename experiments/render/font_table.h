@@ -113,6 +113,22 @@ inline constexpr std::array<GlyphSource, 95> kFontTable{{
     {4, "04~1625~3446"},                                 // ~
 }};
 
+/// A letter beyond ASCII.
+struct FurtherGlyphSource {
+  char32_t character;
+  GlyphSource source;
+};
+
+/// Greek letters that formulas need.
+inline constexpr std::array<FurtherGlyphSource, 6> kFurtherGlyphs{{
+    {U'\u03b1', {5, "56~4222~0204~0626~4652"}},             // alpha
+    {U'\u03b2', {4, "0007~0828~48~4525 25~45~4222~0203"}},  // beta
+    {U'\u03b3', {4, "06~1622~2120 4622"}},                  // gamma
+    {U'\u03b8', {4, "28~48~42~02~0828 0545"}},              // theta
+    {U'\u03c6', {4, "26~46~42~02~0626 2820"}},              // phi
+    {U'\u03c9', {6, "16~0604~0212~3234~3252~6264~6656"}},   // omega
+}};
+
 /// For every other character: an empty box.
 inline constexpr GlyphSource kUnknownGlyph{4, "0208484202"};
 

@@ -58,12 +58,18 @@ Polyline Flattened(const std::vector<StrokePoint>& points) {
   return line;
 }
 
+const GlyphSource& SourceOf(char32_t character) {
+  if (character >= U' ' && character <= U'~') return kFontTable[character - U' '];
+  for (const FurtherGlyphSource& further : kFurtherGlyphs) {
+    if (further.character == character) return further.source;
+  }
+  return kUnknownGlyph;
+}
+
 }  // namespace
 
-Glyph GlyphOf(char character) {
-  const bool is_known = character >= ' ' && character <= '~';
-  const GlyphSource& source =
-      is_known ? kFontTable[static_cast<std::size_t>(character - ' ')] : kUnknownGlyph;
+Glyph GlyphOf(char32_t character) {
+  const GlyphSource& source = SourceOf(character);
   Glyph glyph{static_cast<double>(source.width), {}};
   for (std::string_view rest = source.strokes; !rest.empty();) {
     const std::size_t blank = rest.find(' ');

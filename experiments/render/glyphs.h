@@ -16,7 +16,8 @@ struct Glyph {
 inline constexpr double kCapUnits = 6.0;
 inline constexpr double kLetterGapUnits = 1.75;
 
-/// The glyph of an ASCII character (32 to 126); a small box for any other.
-Glyph GlyphOf(char character);
+/// The glyph of an ASCII character (32 to 126) or of one of the Greek letters that formulas need; a small
+/// box for any other.
+Glyph GlyphOf(char32_t character);
 
 }  // namespace ariadne::experiments

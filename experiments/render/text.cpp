@@ -6,16 +6,27 @@
 namespace ariadne::experiments {
 namespace {
 
-/// A multi-byte character of UTF-8 counts as one: only its first byte is shown.
-bool ContinuesCharacter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) == 0x80U; }
+/// The glyphs of a text in UTF-8; bytes that are none show as boxes.
+std::vector<Glyph> GlyphsOf(std::string_view text) {
+  std::vector<char32_t> characters;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0U) == 0x80U && !characters.empty()) {
+      characters.back() = (characters.back() << 6U) | (byte & 0x3FU);
+    } else {
+      characters.push_back(byte >= 0xE0U ? byte & 0x0FU : byte >= 0xC0U ? byte & 0x1FU : byte);
+    }
+  }
+  std::vector<Glyph> glyphs;
+  for (const char32_t character : characters) glyphs.push_back(GlyphOf(character));
+  return glyphs;
+}
 
 }  // namespace
 
 double TextWidth(std::string_view text, const TextStyle& style) {
   double units = text.empty() ? 0.0 : -kLetterGapUnits;
-  for (const char c : text) {
-    if (!ContinuesCharacter(c)) units += GlyphOf(c).width + kLetterGapUnits;
-  }
+  for (const Glyph& glyph : GlyphsOf(text)) units += glyph.width + kLetterGapUnits;
   return (units / kCapUnits + (text.empty() ? 0.0 : style.weight)) * style.cap_height;
 }
 
@@ -28,9 +39,7 @@ void DrawText(Image& canvas, const Eigen::Vector2d& anchor, std::string_view tex
   double left = anchor.x() - share_left * TextWidth(text, style) + 0.5 * style.weight * style.cap_height;
 
   std::vector<Polyline> lines;
-  for (const char c : text) {
-    if (ContinuesCharacter(c)) continue;
-    const Glyph glyph = GlyphOf(c);
+  for (const Glyph& glyph : GlyphsOf(text)) {
     for (Polyline line : glyph.strokes) {
       for (Eigen::Vector2d& p : line) p = {left + p.x() * px_per_unit, anchor.y() - p.y() * px_per_unit};
       lines.push_back(std::move(line));

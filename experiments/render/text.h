@@ -6,7 +6,8 @@
 
 namespace ariadne::experiments {
 
-/// Text in the built-in font: ASCII, one line. A character that the font does not have shows as a box.
+/// Text in the built-in font: ASCII and a few Greek letters as UTF-8, one line. A character that the font
+/// does not have shows as a box.
 struct TextStyle {
   Rgb color = kBlack;
   double cap_height = 24.0;  // of a capital letter [px]

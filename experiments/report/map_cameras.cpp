@@ -22,9 +22,10 @@ Camera TopCamera(const Scans& frame) {
                 {.outlier_share = 0.002, .adjust_height = true});
 }
 
-Camera ObliqueCamera(const Scans& frame) {
-  return Fitted(ObliqueView(Eigen::Vector3d::Zero(), {.azimuth = kAzimuth, .elevation = kElevation}),
-                PositionsInMap(frame, WithoutCeiling(frame)), {.adjust_height = true});
+Camera ObliqueCamera(const Scans& frame, int width) {
+  const ObliqueOptions view{.azimuth = kAzimuth, .elevation = kElevation, .size = {width, width * 3 / 4}};
+  return Fitted(ObliqueView(Eigen::Vector3d::Zero(), view), PositionsInMap(frame, WithoutCeiling(frame)),
+                {.adjust_height = true});
 }
 
 }  // namespace ariadne::experiments

@@ -16,7 +16,7 @@ HeightBand WithoutCeiling(const std::vector<slam::PosedCloud>& scans);
 /// From above, to scale.
 Camera TopCamera(const std::vector<slam::PosedCloud>& frame);
 
-/// At an angle, in perspective.
-Camera ObliqueCamera(const std::vector<slam::PosedCloud>& frame);
+/// At an angle, in perspective; `width` in pixels.
+Camera ObliqueCamera(const std::vector<slam::PosedCloud>& frame, int width = 1600);
 
 }  // namespace ariadne::experiments

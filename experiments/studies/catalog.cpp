@@ -12,15 +12,19 @@
 #include "experiments/studies/ablation_nbv.h"
 #include "experiments/studies/explore.h"
 #include "experiments/studies/extract.h"
+#include "experiments/studies/fig_01.h"
 #include "experiments/studies/fig_02.h"
 #include "experiments/studies/fig_03.h"
 #include "experiments/studies/fig_04.h"
 #include "experiments/studies/fig_05.h"
 #include "experiments/studies/fig_06.h"
 #include "experiments/studies/fig_07.h"
+#include "experiments/studies/fig_08.h"
 #include "experiments/studies/fig_09.h"
 #include "experiments/studies/fig_10.h"
 #include "experiments/studies/fig_11.h"
+#include "experiments/studies/fig_12.h"
+#include "experiments/studies/fig_13.h"
 #include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
 #include "experiments/studies/plan.h"
@@ -101,6 +105,8 @@ const std::vector<Study>& AllStudies() {
                                  RunSimulate),
       MakeStudy<Table1Options>("table_1", "ICP with all and reduced points, brute force and k-d tree",
                                RunTable1),
+      MakeStudy<Fig01Options>(
+          "fig_01", "the robot and its scanner, rendered", [](const Fig01Options&) {}, RunFig01),
       MakeStudy<Fig02Options>("fig_02", "a scan from its reflectance to lines, surfaces and objects",
                               RunFig02),
       MakeStudy<Fig03Options>("fig_03", "two scans before, during and after ICP", RunFig03),
@@ -109,10 +115,16 @@ const std::vector<Study>& AllStudies() {
           "fig_05", "the edge points and reduced points of a scan beside all of its points", RunFig05),
       MakeStudy<Fig06Options>("fig_06", "one step of planning, from points to the next view", RunFig06),
       MakeStudy<Fig07Options>("fig_07", "two labelled polygons and their union", RunFig07),
+      MakeStudy<Fig08Options>("fig_08", "the frames and quantities of the control law", CheckFig08,
+                              RunFig08),
       MakeStudy<Fig09Options>("fig_09", "paths of the controller to one pose from many", CheckFig09,
                               RunFig09),
       MakeStudy<Fig10Options>("fig_10", "trajectories to next views, around boxes of objects", RunFig10),
       MakeStudy<Fig11Options>("fig_11", "the octree of a scan at several depths", RunFig11),
+      MakeStudy<Fig12Options>("fig_12", "an exploration: path and stops, mesh, boxes around objects",
+                              CheckFig12, RunFig12),
+      MakeStudy<Fig13Options>("fig_13", "the first scans of an exploration, and what each was planned in",
+                              CheckFig13, RunFig13),
       MakeStudy<AblationMatchingOptions>("ablation_matching",
                                          "ways of matching many scans, over many simulated tours",
                                          RunAblationMatching),

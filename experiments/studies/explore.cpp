@@ -10,6 +10,8 @@
 #include "experiments/run/data_path.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
+#include "experiments/studies/explore_model.h"
+#include "experiments/studies/explore_pictures.h"
 #include "experiments/studies/explore_report.h"
 #include "slam/io/cloud_io.h"
 #include "slam/io/file.h"
@@ -57,15 +59,17 @@ void WriteExploredScan(const slam::PosedCloud& scan, const RunDirectory& run) {
 
 /// What watches the mission and keeps what it does.
 MissionEvents EventsOf(const RunDirectory& run, ProgressDisplay& progress, drivers::LoggedRobot& robot,
-                       const std::function<bool()>& stop) {
+                       StepKeeper& steps, const std::function<bool()>& stop) {
   MissionEvents events;
   events.on_status = [&progress](const std::string& status) { progress.Show(status); };
   events.stop = stop;
-  events.on_stop = [&run](const MissionStop&, const MissionMap& map) {
+  events.on_stop = [&run, &steps](const MissionStop& at, const MissionMap& map) {
     WriteExploredScan(map.LastScan(), run);
+    steps.OnStop(at, map);
     run.WriteProgress("running", map.size(), 0);
   };
-  events.on_plan = [&robot](const PlannedDrive& drive, const Surroundings&) {
+  events.on_plan = [&robot, &steps](const PlannedDrive& drive, const Surroundings& around) {
+    steps.OnPlan(drive, around);
     if (drive.view) {
       robot.Note(fmt::format("drive to ({:.3f}, {:.3f}) m for {} rays", drive.view->p_map.x(),
                              drive.view->p_map.y(), drive.view->gain));
@@ -96,21 +100,26 @@ std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& r
   const auto seed = static_cast<std::uint64_t>(options.seed);
   drivers::SimulatedRobot robot(world.scene, robot_options, seed);
   LoggedSimulation logged(robot, run.File("robot.log"));
+  StepKeeper steps(run);
   std::size_t stops = 0;
   const auto on_true_stop = [&](const MissionStop& at, const TrueStop& truth) {
     progress.Keep(StopLine(stops++, at, truth));
   };
   const SimulatedMission mission =
       RunSimulatedMission(robot, logged.robot(), world.floor, options.scanner, mission_options, seed,
-                          EventsOf(run, progress, logged.robot(), stop), on_true_stop);
-  progress.Show("the model and the report");
+                          EventsOf(run, progress, logged.robot(), steps, stop), on_true_stop);
+  progress.Show("the report");
   std::string text = ReportExploration(mission, world, run, Parallel(options.threads));
   if (mission.mission.end == MissionEnd::kStopped) {
     run.WriteProgress("stopped", stops, 0);
     return text + "stopped; --resume goes on from here\n";
   }
+  steps.OnEnd(mission.mission);
+  BuildingModel model{slam::Octree(options.model.octree), {}, {}};
+  if (options.integrate)
+    model = WriteExploredModel(mission.mission, options.mission.mapper.scan, options.model, run, progress);
   FinishRun(run, fmt::format("Exploration of {}", world.scene->world().name), stops,
-            ExplorationView(mission, options.model));
+            ExplorationView(mission, model));
   return text;
 }
 

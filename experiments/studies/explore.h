@@ -18,6 +18,7 @@ struct ExploreStudyOptions {
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;
+  bool integrate = true;
   ModelOptions model;
   drivers::WorldOptions geometry;
 
@@ -33,7 +34,9 @@ struct ExploreStudyOptions {
     visit("mission", self.mission, "the mission");
     visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
     visit("judge", self.judge, "what there is to see, against which the mission is judged");
-    visit("model", self.model, "what the scans become in the end");
+    visit("integrate", self.integrate,
+          "make a model of all scans in the end, and write it in all its forms");
+    visit("model", self.model, "what that model is like");
     visit("geometry", self.geometry, "what floor plans and meshes leave open");
   }
 };

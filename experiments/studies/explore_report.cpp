@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "experiments/report/viewer.h"
+#include "experiments/studies/explore_pictures.h"
 #include "slam/io/file.h"
 #include "slam/io/ply.h"
 #include "slam/io/svg.h"
@@ -136,26 +137,22 @@ slam::Drawing DrawMission(const SimulatedMission& mission, const Floor& floor) {
            std::move(stops), std::move(stops_map)}};
 }
 
-PageSection ExplorationView(const SimulatedMission& mission, const ModelOptions& model) {
+PageSection ExplorationView(const SimulatedMission& mission, const BuildingModel& model) {
   const MissionResult& result = mission.mission;
   ViewerScene scene;
   ViewerPath driven;
   for (const Eigen::Vector2d& p_map : result.path_map) driven.points_map.push_back(Flat(p_map));
-  std::vector<slam::PlanarSurface> surfaces_map;
-  for (std::size_t i = 0; i < result.scans.size(); ++i) {
-    AddScan(scene, result.scans[i], i);
-    if (!result.registered[i]) continue;
-    for (slam::PlanarSurface& surface : slam::SurfacesInMap(result.scans[i], model.surfaces.extract))
-      surfaces_map.push_back(std::move(surface));
-  }
+  for (std::size_t i = 0; i < result.scans.size(); ++i) AddScan(scene, result.scans[i], i);
   const std::size_t last = result.scans.size() - 1;
-  for (const slam::ObjectBox& object :
-       slam::MakeSurfaceModel(std::move(surfaces_map), model.surfaces).objects)
+  for (const slam::ObjectBox& object : model.surfaces.objects)
     scene.boxes.push_back({object.box, {}, last});
+  scene.mesh_map = model.mesh;
   if (driven.points_map.size() > 1) scene.driven.push_back(std::move(driven));
   for (const planning::LabelledPolygon& polygon : result.area)
     scene.polygons.push_back({polygon, 1.5, last});
-  return ViewerSection(scene, "The model in 3D");
+  PageSection section = ViewerSection(scene, "The model in 3D");
+  section.html += StepsHtml(result.stops.size());
+  return section;
 }
 
 std::string ReportExploration(const SimulatedMission& mission, const MissionWorld& world,

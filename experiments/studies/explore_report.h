@@ -7,7 +7,7 @@
 #include "experiments/report/page.h"
 #include "experiments/report/table.h"
 #include "experiments/run/run_directory.h"
-#include "experiments/studies/model_options.h"
+#include "experiments/studies/model_output.h"
 #include "slam/geometry/drawing.h"
 
 namespace ariadne::experiments {
@@ -22,8 +22,9 @@ Table StopTable(const SimulatedMission& mission);
 /// the way that was driven, where the scans were taken and where they were thought to be taken.
 slam::Drawing DrawMission(const SimulatedMission& mission, const Floor& floor);
 
-/// The interactive view of the points, the stops, the boxes around objects and the way, in the map.
-PageSection ExplorationView(const SimulatedMission& mission, const ModelOptions& model);
+/// The interactive view of the points, the stops, the model and the way, in the map, and the pictures of
+/// the steps.
+PageSection ExplorationView(const SimulatedMission& mission, const BuildingModel& model);
 
 /// Writes tables, trajectories and pictures; returns what to print.
 std::string ReportExploration(const SimulatedMission& mission, const MissionWorld& world,

@@ -23,6 +23,7 @@ struct ModelOptions {
   slam::OctoMapOptions octomap{.resolution = 0.1};
   slam::SvgOptions svg;
   double drawing_points = 0.1;
+  int picture_width = 1600;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -37,6 +38,8 @@ struct ModelOptions {
     visit("svg", self.svg, "how plans are drawn on paper");
     visit("drawing_points", self.drawing_points, Unit("m"), Range{1e-3, 100.0},
           "the 3D drawing has one point of each scan per cube of this edge; CAD programs take no millions");
+    visit("picture_width", self.picture_width, Unit("px"), Range{64, 16384},
+          "of the pictures of the model");
   }
 };
 

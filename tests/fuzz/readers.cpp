@@ -4,10 +4,14 @@
 #include <array>
 #include <iterator>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 
+#include "drivers/hardware/lms200/command.h"
+#include "drivers/hardware/lms200/reply.h"
+#include "drivers/hardware/lms200/telegram_decoder.h"
 #include "drivers/replay/log_frame.h"
 #include "drivers/replay/robot_log.h"
 #include "slam/base/error.h"
@@ -149,7 +153,54 @@ bool AcceptsRobotCall(std::string_view bytes) {
   });
 }
 
-constexpr std::array<Reader, 15> kReaders{{{"uos_cloud", AcceptsUosCloud},
+drivers::ByteView ViewOf(std::string_view bytes) {
+  return {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
+}
+
+/// What a scanner sent, cut into pieces of at most `piece` bytes: its frames, without what lies between
+/// them.
+std::string FramesIn(std::string_view bytes, std::size_t piece) {
+  drivers::lms200::TelegramDecoder decoder(drivers::lms200::Sender::kDevice);
+  std::string frames;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+    decoder.Push(ViewOf(bytes.substr(0, piece)));
+    while (const std::optional<drivers::lms200::Received> received = decoder.Next()) {
+      if (received->kind != drivers::lms200::Received::Kind::kTelegram) continue;
+      const drivers::Bytes frame = drivers::lms200::EncodeTelegram(received->telegram);
+      frames.append(frame.begin(), frame.end());
+    }
+  }
+  return frames;
+}
+bool AcceptsLms200Stream(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    std::string frames = FramesIn(all, all.size() + 1);
+    for (const std::size_t piece : {1U, 5U, 100U}) {
+      if (FramesIn(all, piece) != frames) throw std::logic_error("pieces are read differently");
+    }
+    if (frames.empty()) Fail("no telegram");
+    return frames;
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const std::string& frames) { out << frames; });
+}
+
+/// What a telegram of either side carries, which no checksum guards here.
+bool AcceptsLms200Payload(std::string_view bytes) {
+  using drivers::Bytes;
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    if (!all.empty() && (static_cast<std::uint8_t>(all[0]) & drivers::lms200::kFromDevice) == 0) {
+      return drivers::lms200::EncodeCommand(drivers::lms200::DecodeCommand(ViewOf(all)));
+    }
+    return drivers::lms200::EncodeReply(drivers::lms200::DecodeReply(ViewOf(all)));
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const Bytes& payload) {
+    out << std::string(payload.begin(), payload.end());
+  });
+}
+
+constexpr std::array<Reader, 17> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -163,7 +214,9 @@ constexpr std::array<Reader, 15> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"g2o", AcceptsG2o},
                                            {"carmen", AcceptsCarmen},
                                            {"robot_log", AcceptsRobotLog},
-                                           {"robot_call", AcceptsRobotCall}}};
+                                           {"robot_call", AcceptsRobotCall},
+                                           {"lms200_stream", AcceptsLms200Stream},
+                                           {"lms200_payload", AcceptsLms200Payload}}};
 
 }  // namespace
 

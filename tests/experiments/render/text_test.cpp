@@ -47,7 +47,7 @@ TEST(Text, EveryCharacterHasItsOwnShape) {
 
 TEST(Text, GlyphsStayWithinTheirBox) {
   for (char c = '!'; c <= '~'; ++c) {
-    const Glyph glyph = GlyphOf(c);
+    const Glyph glyph = GlyphOf(static_cast<unsigned char>(c));
     EXPECT_FALSE(glyph.strokes.empty()) << c;
     for (const Polyline& stroke : glyph.strokes) {
       for (const Eigen::Vector2d& p : stroke) {
@@ -57,8 +57,20 @@ TEST(Text, GlyphsStayWithinTheirBox) {
   }
 }
 
+TEST(Text, KnowsTheGreekLettersOfFormulas) {
+  std::set<std::size_t> inks{0};
+  for (const char* letter : {"\u03b1", "\u03b2", "\u03b3", "\u03b8", "\u03c6", "\u03c9", "\u03b4"}) {
+    const Image image = Written(letter);
+    const auto white = std::count(image.pixels.begin(), image.pixels.end(), kWhite);
+    inks.insert(image.pixels.size() - static_cast<std::size_t>(white));
+  }
+  EXPECT_EQ(inks.size(), 8U) << "no two are alike, and delta is the box";
+  EXPECT_EQ(Written("\u03b4"), Written("\x01"));
+  EXPECT_EQ(TextWidth("\u03c9x", {}), TextWidth("wx", {})) << "six units wide, as w";
+}
+
 TEST(Text, CurvesAreRound) {
-  const Glyph glyph = GlyphOf('o');
+  const Glyph glyph = GlyphOf(U'o');
   double reach = 0.0;
   for (const Eigen::Vector2d& p : glyph.strokes.at(0)) {
     const double radius = (p - Eigen::Vector2d(2.0, 2.0)).norm();
