@@ -84,7 +84,8 @@ Pose2 DrivenLeg::MotionAt(double way) const {
   // The step that holds it, which moves.
   const double within = std::clamp(way, kNothing, std::max(kNothing, length()));
   const auto after = std::min(std::lower_bound(ways_.begin() + 1, ways_.end(), within), ways_.end() - 1);
-  const auto k = static_cast<std::size_t>(after - ways_.begin());
+  auto k = static_cast<std::size_t>(after - ways_.begin());
+  while (k > 1 && ways_[k] - ways_[k - 1] < kNothing) --k;  // the direction of a rounding error is none
   const double chord = ways_[k] - ways_[k - 1];
   Pose2 from = path_[leg_.first + k - 1], to = path_[leg_.first + k];
   const Eigen::Vector2d moved = to.translation - from.translation;

@@ -38,6 +38,12 @@ struct FloorCover {
   double length_each = 0.0;  // of wall that a place stands for [m]
 };
 
+/// A floor and what of it there is to see.
+struct FloorToExplore {
+  Floor floor;
+  FloorCover cover;
+};
+
 FloorCover FindFloorCover(const Floor& floor, const std::vector<Eigen::Vector2d>& reachable,
                           const FloorScannerOptions& scanner, const FloorCoverOptions& options,
                           const Parallel& parallel);

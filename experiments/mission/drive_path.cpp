@@ -22,13 +22,42 @@ constexpr double kLeft = 0.06;         // [m]
 constexpr double kLeftTurn = 0.1;      // [rad]
 constexpr double kWriggleTime = 1.5;   // for one motion [s]
 constexpr int kWriggles = 2;           // rounds
-constexpr double kBeside = 0.03;       // of cells and the robot [m]
+constexpr double kWithin = -0.01;      // the robot: cells that are coarser than what occupies them [m]
 constexpr double kTrailStep = 0.02;    // [m]
 constexpr double kTrailTurn = 0.02;    // [rad]
 
 double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
   return std::abs(slam::WrapAngle(a.angle - b.angle));
 }
+
+/// What leads to the goal: along the path, or by the paper's controller.
+class Guide {
+ public:
+  Guide(const DriveTask& task, const control::FollowOptions& follow) : task_(task), follow_(follow) {}
+
+  /// For the next period; nothing where the robot has arrived.
+  std::optional<control::DriveCommand> Next(const slam::Pose2& T_map_base) {
+    if (!task_.approach) {
+      const control::FollowStep step = control::FollowPath(task_.path_map, T_map_base, on_path_, follow_);
+      on_path_ = step.progress;
+      return step.finished ? std::nullopt : std::optional(step.command);
+    }
+    const ApproachTask& approach = *task_.approach;
+    const control::ApproachStep step = control::StepApproach(
+        approach.T_map_goal.Inverse() * T_map_base, approaching_, approach.behaviour, approach.options);
+    approaching_ = step.progress;
+    return step.finished ? std::nullopt : std::optional(step.command);
+  }
+
+  /// What the robot was told instead.
+  void Note(const control::DriveCommand& command) { on_path_.command = approaching_.command = command; }
+
+ private:
+  const DriveTask& task_;
+  const control::FollowOptions& follow_;
+  control::PathProgress on_path_;
+  control::ApproachProgress approaching_;
+};
 
 /// A drive under way.
 class PathDrive {
@@ -41,7 +70,7 @@ class PathDrive {
     advanced_to_ = start;
     advanced_at_ = robot.Now();
     for (const Eigen::Vector2d& p_map : task.obstacles_map) {
-      if (control::GapTo(options.avoid.robot, start, p_map) > kBeside) known_map_.push_back(p_map);
+      if (control::GapTo(options.avoid.robot, start, p_map) > kWithin) known_map_.push_back(p_map);
     }
   }
 
@@ -55,6 +84,7 @@ class PathDrive {
   void Go(const control::DriveCommand& command);
   control::DriveCommand GoAvoiding(const control::DriveCommand& wanted, bool known);
   void Halt();
+  std::string Reason(bool stalls) const;
   DriveReport Ended(DriveEnd end);
   void BackOff();
   void FollowBack(double start);
@@ -71,6 +101,7 @@ class PathDrive {
   double advanced_at_ = 0.0;                     // [s]
   std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
   std::vector<Eigen::Vector2d> known_map_;
+  std::optional<Eigen::Vector2d> held_map_;  // that the scanners see, or the map knows
   DriveReport report_;
 };
 
@@ -90,6 +121,7 @@ std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
 control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted, bool known) {
   control::DriveCommand command = wanted;
   held_by_base_.reset();
+  held_map_.reset();
   if (options_.avoid_obstacles) {
     const drivers::Velocity velocity = robot_.State().velocity;
     std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_);
@@ -101,6 +133,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
     const control::AvoidanceResult avoided =
         control::Avoid(wanted, {velocity.forward, velocity.turning}, points_base, options_.avoid);
     command = avoided.command;
+    if (avoided.p_base) held_map_ = localizer_.T_map_base() * *avoided.p_base;
     if (avoided.blocked && avoided.p_base &&
         std::find(points_base.begin(), points_base.begin() + static_cast<std::ptrdiff_t>(seen),
                   *avoided.p_base) != points_base.begin() + static_cast<std::ptrdiff_t>(seen))
@@ -219,33 +252,42 @@ void PathDrive::Wriggle() {
   }
 }
 
+/// Why the drive is given up.
+std::string PathDrive::Reason(bool stalls) const {
+  const Eigen::Vector2d& at = localizer_.T_map_base().translation;
+  std::string reason = "no advance";
+  if (!stalls) {
+    reason = "touched something";
+  } else if (held_by_base_) {
+    reason = "something seen is in the way";
+  } else if (held_map_) {
+    reason =
+        fmt::format("what is known at ({:.2f}, {:.2f}) m is in the way", held_map_->x(), held_map_->y());
+  }
+  return fmt::format("{} at ({:.2f}, {:.2f}) m", reason, at.x(), at.y());
+}
+
 DriveReport PathDrive::Run() {
   const double start = robot_.Now();
   bool held_at_start = robot_.State().blocked;  // stays so until the robot has moved
-  control::PathProgress progress;
+  Guide guide(task_, options_.follow);
   while (robot_.Now() < start + options_.max_time) {
     if (MustStop()) return Ended(DriveEnd::kStopped);
-    const control::FollowStep step =
-        control::FollowPath(task_.path_map, localizer_.T_map_base(), progress, options_.follow);
-    progress = step.progress;
-    if (step.finished) return Ended(DriveEnd::kArrived);
-    progress.command = GoAvoiding(step.command, true);
+    const std::optional<control::DriveCommand> wanted = guide.Next(localizer_.T_map_base());
+    if (!wanted) return Ended(DriveEnd::kArrived);
+    guide.Note(GoAvoiding(*wanted, true));
     const bool touches = robot_.State().blocked;
     held_at_start = held_at_start && touches && robot_.Now() < start + kStartingTime;
     const bool gives_up = Stalls();
     if (!gives_up && (!touches || held_at_start)) continue;
-    const slam::Pose2& at = localizer_.T_map_base();
-    report_.reason = fmt::format("{} at ({:.2f}, {:.2f}) m",
-                                 !gives_up       ? "touched something"
-                                 : held_by_base_ ? "something seen is in the way"
-                                                 : "no advance",
-                                 at.translation.x(), at.translation.y());
+    report_.reason = Reason(gives_up);
     Halt();
-    if (!gives_up) held_by_base_ = ContactPlace(robot_, step.command);
+    if (!gives_up) held_by_base_ = ContactPlace(robot_, *wanted);
     if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);
     BackOff();
     break;
   }
+  if (report_.reason.empty()) report_.reason = "not there in time";
   return Ended(DriveEnd::kBlocked);
 }
 

@@ -2,10 +2,12 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "control/approach_step.h"
 #include "control/avoidance.h"
 #include "control/pure_pursuit.h"
 #include "drivers/robot.h"
@@ -56,16 +58,24 @@ struct DriveReport {
   double length = 0.0;                         // [m]
 };
 
+/// By the paper's controller to a goal, instead of along a path.
+struct ApproachTask {
+  slam::Pose2 T_map_goal;
+  control::ApproachBehaviour behaviour = control::ApproachBehaviour::kController;
+  control::ApproachOptions options;
+};
+
 /// What is to be driven.
 struct DriveTask {
   const std::vector<slam::Pose2>& path_map;
+  const std::optional<ApproachTask>& approach;
   std::span<const slam::Pose2> trail_map;          // driven before
   std::span<const Eigen::Vector2d> obstacles_map;  // that are known
 };
 
-/// Drives a path, gives way to what the safety scanners see, and waits for it to go away. Where something
-/// holds the wheels or does not go away, the robot backs off by the way that it came. `stop` is asked
-/// before each command.
+/// Drives a path or an approach, gives way to what the safety scanners see, and waits for it to go away.
+/// Where something holds the wheels or does not go away, the robot backs off by the way that it came.
+/// `stop` is asked before each command.
 DriveReport DrivePath(drivers::Robot& robot, Localizer localizer, const DriveTask& task,
                       const DriveOptions& options, const std::function<bool()>& stop);
 

@@ -114,7 +114,7 @@ std::optional<MissionEnd> Explorer::Limit() const {
 std::optional<PlannedDrive> Explorer::Plan() {
   Status(fmt::format("scan {}: planning", map_.size() - 1));
   const Stopwatch watch;
-  const Surroundings around = SurroundingsOf(map_);
+  const Surroundings around = SurroundingsOf(map_, trail_map_);
   obstacles_map_ = around.obstacles_map;
   const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
   const std::uint64_t seed = seed_ + map_.size();
@@ -142,8 +142,9 @@ void Explorer::Drive(const PlannedDrive& drive) {
   const std::optional<slam::AlignModel> model_map =
       localize.enabled ? map_.ModelAround(T_map_base.translation, localize.reach) : std::nullopt;
   const Localizer localizer(robot_, T_map_base, model_map ? &*model_map : nullptr, scanner_, localize);
-  const DriveReport report = DrivePath(robot_, localizer, {drive.path_map, trail_map_, obstacles_map_},
-                                       options_.drive, events_.stop);
+  const DriveReport report =
+      DrivePath(robot_, localizer, {drive.path_map, drive.approach, trail_map_, obstacles_map_},
+                options_.drive, events_.stop);
   last_T_odom_base_ = robot_.State().odometry.T_odom_base;
   trail_map_.insert(trail_map_.end(), report.poses_map.begin(), report.poses_map.end());
   constexpr std::size_t kTrail = 2000;  // poses
@@ -186,8 +187,8 @@ void Explorer::ReturnToStart() {
       result_.returned = true;
       return;
     }
-    const auto drive =
-        PlanDriveTo(SurroundingsOf(map_), T_map_base, T_map_start, options_, seed_ + map_.size());
+    const auto drive = PlanDriveTo(SurroundingsOf(map_, trail_map_), T_map_base, T_map_start, options_,
+                                   seed_ + map_.size());
     if (!drive) return;
     Drive(*drive);
     AcquireAndRegister();
@@ -227,7 +228,7 @@ MissionResult Explorer::Run() {
 
 std::string_view Describe(MissionEnd end) {
   constexpr std::array<std::string_view, 8> kSentences{
-      "nothing is left that is worth a scan",
+      "nothing is left that is worth a scan and can be reached",
       "the limit of scans is reached",
       "the limit of time is reached",
       "the limit of distance is reached",

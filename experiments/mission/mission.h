@@ -13,7 +13,7 @@ namespace ariadne::experiments {
 
 /// Why a mission ended.
 enum class MissionEnd {
-  kNothingLeft,  // no view is worth a scan any more
+  kNothingLeft,  // no view that can be reached is worth a scan any more
   kScanLimit,
   kTimeLimit,
   kDistanceLimit,
@@ -36,8 +36,8 @@ struct MissionStop {
   bool leg_only = false;                // it was a part of the way to the view
   bool of_disc = false;
   std::vector<slam::Pose2> driven_map;  // from the stop before, as the robot took itself to be
-  slam::Pose2 T_map_base_guess;  // as it came here
-  slam::Pose2 T_map_base;        // registered, as it was then
+  slam::Pose2 T_map_base_guess;         // as it came here
+  slam::Pose2 T_map_base;               // registered, as it was then
   bool registered = false;
   std::string message;            // of the registration
   double unseen = 0.0;            // edges of the area at the first height that nobody has looked behind [m]

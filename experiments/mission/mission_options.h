@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "experiments/exploration/explore_3d.h"
+#include "control/approach_plan.h"
+#include "experiments/exploration/scan_loop_area.h"
 #include "experiments/mission/drive_path.h"
 #include "planning/path/plan_path.h"
 #include "planning/view/view_planner.h"
@@ -11,12 +12,36 @@
 
 namespace ariadne::experiments {
 
+/// The view planner for a robot that errs: its half width passes wherever it may get through, places to
+/// scan leave room to turn on the spot, which takes half its diagonal, and slits that noise leaves do not
+/// count.
+planning::ViewPlannerOptions RobotPlannerOptions();
+
+/// The paper's choice among candidates, for a robot that must get there: with the clearances of `robot`.
+planning::ViewPlannerOptions PaperRobotPlannerOptions(const planning::ViewPlannerOptions& robot);
+
+/// Registration for scans that see each side of a thin wall by itself, from a guess that errs little: what
+/// the surfaces hardly hold stays where odometry has it, in the alignments and in the graph.
+slam::MapperOptions RobotMapperOptions();
+
 /// What may be free although nothing was seen at its height: windows are wide, and walls count as
 /// obstacles.
 ScanLoopAreaOptions RobotAreaOptions();
 
 /// Obstacles up to the top of the robot, of what scans show nearby.
 slam::OccupancyGridOptions RobotObstacleOptions();
+
+/// Paths keep from what the map shows what the map, the localization and the controller err, and half of
+/// that where there is no more room; giving way leaves what the scanners err.
+planning::PathOptions RobotPathOptions();
+DriveOptions RobotDriveOptions();
+
+/// How the robot gets to a view.
+enum class DriveBy {
+  kPath,           // planned for its rectangle
+  kApproach,       // the paper's controller and its two fallback behaviours (5.2)
+  kApproachFirst,  // a path where none of these is free
+};
 
 /// After which a mission ends, whatever is left to see.
 struct MissionLimits {
@@ -62,9 +87,11 @@ struct MissionOptions {
   slam::OccupancyGridOptions obstacles = RobotObstacleOptions();
   std::string heights = "1.5";
   planning::ViewPlannerOptions planner = RobotPlannerOptions();
-  planning::PathOptions path;
+  DriveBy drive_by = DriveBy::kPath;
+  control::ApproachPlanOptions approach;
+  planning::PathOptions path = RobotPathOptions();
   double max_leg = 20.0;
-  DriveOptions drive;
+  DriveOptions drive = RobotDriveOptions();
   MissionLimits limits;
   MissionPatience patience;
   bool return_to_start = false;
@@ -78,6 +105,10 @@ struct MissionOptions {
           "of the slices [m]: a, b, ... Each is planned in by itself, and of their views that with the "
           "highest value is taken; the paper has one to five, 1.5 in its example (4.2)");
     visit("planner", self.planner, "where to scan next");
+    visit(
+        "drive_by", self.drive_by,
+        "how the robot gets there: by path, or by the paper's approach, or by path where that is not free");
+    visit("approach", self.approach, "the paper's controller and its two fallback behaviours (5.1, 5.2)");
     visit("path", self.path, "how to get there, for the robot's rectangle");
     visit(
         "max_leg", self.max_leg, Unit("m"), Range{0.1, 1e6},
@@ -90,4 +121,13 @@ struct MissionOptions {
   }
 };
 
+/// The loop of 2003: the queue of simultaneous matching with its metric, the planner's printed constants,
+/// the controller and its behaviours, odometry alone while driving.
+MissionOptions PaperMissionOptions();
+
 }  // namespace ariadne::experiments
+
+template <>
+struct ariadne::EnumNames<ariadne::experiments::DriveBy> {
+  static constexpr std::array<std::string_view, 3> value = {"path", "approach", "approach_first"};
+};

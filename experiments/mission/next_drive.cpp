@@ -1,7 +1,9 @@
 #include "experiments/mission/next_drive.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "planning/path/geodesic.h"
@@ -12,10 +14,11 @@ namespace {
 
 using slam::Pose2;
 
-constexpr double kSameTarget = 0.5;  // [m]
-constexpr double kCellReach = 0.03;  // of occupied cells beyond what occupies them [m]
-constexpr int kGivenUp = 2;          // drives to one place
-constexpr double kStep = 0.05;       // between the poses of a disc's path [m]
+constexpr double kSameTarget = 0.5;      // [m]
+constexpr double kBackToRoom = 3.0;      // [m]
+constexpr double kBesideApproach = 3.0;  // of the straight way; trajectories swing out [m]
+constexpr int kGivenUp = 2;              // drives to one place
+constexpr double kStep = 0.05;           // between the poses of a disc's path [m]
 
 planning::FreeSpace FreeSpaceAt(const Surroundings& around, std::size_t height,
                                 const planning::FreeSpaceOptions& options) {
@@ -69,22 +72,35 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
   return apart;
 }
 
-/// With its full margin if it can, else with less: beside a table a robot stands closer than it likes to
-/// drive, and cells reach a little beyond what occupies them.
-planning::PathResult FindPath(const planning::FreeSpace& space, const Pose2& T_map_base,
-                              const Pose2& T_map_goal, const planning::PathOptions& options,
-                              std::uint64_t seed) {
-  planning::PathResult result;
-  for (const auto& [margin, shrunk] :
-       {std::pair(1.0, 0.0), std::pair(0.4, 0.0), std::pair(0.0, kCellReach)}) {
-    planning::PathOptions tighter = options;
-    tighter.footprint.margin *= margin;
-    tighter.footprint.length -= 2.0 * shrunk;
-    tighter.footprint.width -= 2.0 * shrunk;
-    result = planning::PlanPath(space, T_map_base, T_map_goal, tighter, seed);
-    if (result.status == planning::PathStatus::kFound) break;
+/// Of the footprint's margin: with all of it if the robot can, else with less, for beside a table it stands
+/// closer than it likes to drive.
+constexpr std::array<double, 2> kMarginShares{1.0, 0.5};
+
+/// From where the robot stands back the way that it came, to where there is room for its rectangle; only
+/// where it stands, if there is room or none on the way.
+std::vector<Pose2> WayToRoom(const planning::FreeSpace& space, const Pose2& T_map_base,
+                             std::span<const Pose2> trail_map, const planning::FootprintOptions& options) {
+  const planning::Footprint footprint(options);
+  std::vector<Pose2> way{T_map_base};
+  if (footprint.IsFree(space, T_map_base)) return way;
+  double length = 0.0;
+  for (auto pose = trail_map.rbegin(); pose != trail_map.rend() && length < kBackToRoom; ++pose) {
+    length += (pose->translation - way.back().translation).norm();
+    way.push_back(*pose);
+    if (footprint.IsFree(space, *pose)) return way;
   }
-  return result;
+  return {T_map_base};
+}
+
+/// The poses of a path for the rectangle; empty where none was found.
+std::vector<Pose2> FindPath(const planning::FreeSpace& space, const Pose2& T_map_base,
+                            std::span<const Pose2> trail_map, const Pose2& T_map_goal,
+                            const planning::PathOptions& options, std::uint64_t seed) {
+  std::vector<Pose2> poses = WayToRoom(space, T_map_base, trail_map, options.footprint);
+  const planning::PathResult path = planning::PlanPath(space, poses.back(), T_map_goal, options, seed);
+  if (path.status != planning::PathStatus::kFound) return {};
+  poses.insert(poses.end(), path.poses.begin(), path.poses.end());
+  return poses;
 }
 
 /// Poses along straight lines, the robot ahead; turns on the spot at the corners and the end.
@@ -114,6 +130,25 @@ void CutToLeg(double max_leg, PlannedDrive& drive) {
   }
 }
 
+/// What the paper tries (Sec. 5.2): the controller as it is, turning first, and turn, straight, turn.
+std::optional<PlannedDrive> DriveByApproach(const Surroundings& around, const Pose2& T_map_base,
+                                            const Pose2& T_map_goal, const MissionOptions& options) {
+  control::GroundObstacles obstacles;
+  const double reach = (T_map_goal.translation - T_map_base.translation).norm() + kBesideApproach;
+  for (const Eigen::Vector2d& p_map : around.obstacles_map) {
+    const bool stands_beside = control::GapTo(options.approach.robot, T_map_base, p_map) <= 0.0;
+    if (!stands_beside && (p_map - T_map_base.translation).norm() < reach)
+      obstacles.points.push_back(p_map);
+  }
+  const control::ApproachPlan plan =
+      control::PlanApproach(T_map_base, T_map_goal, obstacles, options.approach);
+  if (!plan.IsFree()) return {};
+  PlannedDrive drive;
+  drive.path_map = plan.poses;
+  drive.approach = ApproachTask{T_map_goal, plan.behaviour(), options.approach.approach};
+  return drive;
+}
+
 std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const Pose2& T_map_base,
                                         const Pose2& T_map_goal, const MissionOptions& options) {
   const planning::GeodesicField ways =
@@ -126,13 +161,53 @@ std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const 
   return drive;
 }
 
+std::optional<PlannedDrive> DriveByPath(const planning::FreeSpace& space, const Surroundings& around,
+                                        const Pose2& T_map_base, const Pose2& T_map_goal,
+                                        const planning::PathOptions& options, std::uint64_t seed) {
+  std::vector<Pose2> path = FindPath(space, T_map_base, around.trail_map, T_map_goal, options, seed);
+  if (path.empty()) return {};
+  PlannedDrive drive;
+  drive.path_map = std::move(path);
+  return drive;
+}
+
+using PlanDrive =
+    std::function<std::optional<PlannedDrive>(const planning::FreeSpace& space, const Pose2& T_map_goal)>;
+
+/// Hands in the ways to get to a goal, the best first, until somebody has no need of more.
+void TryWays(const Surroundings& around, const Pose2& T_map_base, const MissionOptions& options,
+             std::uint64_t seed, const std::function<void(const PlanDrive&)>& attempt) {
+  if (options.drive_by != DriveBy::kPath) {
+    attempt([&](const planning::FreeSpace&, const Pose2& T_map_goal) {
+      return DriveByApproach(around, T_map_base, T_map_goal, options);
+    });
+  }
+  if (options.drive_by == DriveBy::kApproach) return;
+  for (const double share : kMarginShares) {
+    planning::PathOptions squeezed = options.path;
+    squeezed.footprint.margin *= share;
+    attempt([&](const planning::FreeSpace& space, const Pose2& T_map_goal) {
+      std::optional<PlannedDrive> drive =
+          DriveByPath(space, around, T_map_base, T_map_goal, squeezed, seed);
+      if (drive) CutToLeg(options.max_leg, *drive);
+      return drive;
+    });
+  }
+  attempt([&](const planning::FreeSpace& space, const Pose2& T_map_goal) {
+    std::optional<PlannedDrive> drive = DriveOfDisc(space, T_map_base, T_map_goal, options);
+    if (drive) CutToLeg(options.max_leg, *drive);
+    return drive;
+  });
+}
+
 }  // namespace
 
-Surroundings SurroundingsOf(const MissionMap& map) {
+Surroundings SurroundingsOf(const MissionMap& map, std::span<const Pose2> trail_map) {
   Surroundings around;
   for (std::size_t h = 0; h < map.height_count(); ++h) around.areas.push_back(map.Area(h));
   around.obstacles_map = map.Obstacles();
   around.T_map_scans = map.T_map_scans();
+  around.trail_map.assign(trail_map.begin(), trail_map.end());
   return around;
 }
 
@@ -141,22 +216,18 @@ std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const Pose
                                           const MissionOptions& options, std::uint64_t seed) {
   const std::vector<RankedView> ranked = RankViews(around, T_map_base, failed, options, seed);
   const std::size_t count = std::min(ranked.size(), static_cast<std::size_t>(options.patience.targets));
+  std::vector<planning::FreeSpace> spaces;
+  for (std::size_t h = 0; h < around.areas.size(); ++h)
+    spaces.push_back(FreeSpaceAt(around, h, options.planner.free_space));
   std::optional<PlannedDrive> drive;
-  for (std::size_t rank = 0; rank < count && !drive; ++rank) {
-    const RankedView& target = ranked[rank];
-    const planning::FreeSpace space = FreeSpaceAt(around, target.height, options.planner.free_space);
-    const planning::PathResult path =
-        FindPath(space, T_map_base, {target.view.direction, target.view.p_map}, options.path, seed);
-    if (path.status == planning::PathStatus::kFound)
-      drive = PlannedDrive{target.view, path.poses, target.height, rank};
-  }
-  for (std::size_t rank = 0; rank < count && !drive; ++rank) {
-    const RankedView& target = ranked[rank];
-    const planning::FreeSpace space = FreeSpaceAt(around, target.height, options.planner.free_space);
-    drive = DriveOfDisc(space, T_map_base, {target.view.direction, target.view.p_map}, options);
-    if (drive) drive->view = target.view, drive->height = target.height, drive->rank = rank;
-  }
-  if (drive) CutToLeg(options.max_leg, *drive);
+  const auto try_all = [&](const auto& plan_drive) {
+    for (std::size_t rank = 0; rank < count && !drive; ++rank) {
+      const auto& [view, height] = ranked[rank];
+      drive = plan_drive(spaces[height], Pose2{view.direction, view.p_map});
+      if (drive) drive->view = view, drive->height = height, drive->rank = rank;
+    }
+  };
+  TryWays(around, T_map_base, options, seed, try_all);
   return drive;
 }
 
@@ -164,14 +235,10 @@ std::optional<PlannedDrive> PlanDriveTo(const Surroundings& around, const Pose2&
                                         const Pose2& T_map_goal, const MissionOptions& options,
                                         std::uint64_t seed) {
   const planning::FreeSpace space = FreeSpaceAt(around, 0, options.planner.free_space);
-  const planning::PathResult path = FindPath(space, T_map_base, T_map_goal, options.path, seed);
   std::optional<PlannedDrive> drive;
-  if (path.status == planning::PathStatus::kFound) {
-    drive = PlannedDrive{{}, path.poses};
-  } else {
-    drive = DriveOfDisc(space, T_map_base, T_map_goal, options);
-  }
-  if (drive) CutToLeg(options.max_leg, *drive);
+  TryWays(around, T_map_base, options, seed, [&](const auto& plan_drive) {
+    if (!drive) drive = plan_drive(space, T_map_goal);
+  });
   return drive;
 }
 

@@ -11,12 +11,13 @@ namespace ariadne::experiments {
 
 /// What is to be driven next, and why.
 struct PlannedDrive {
-  std::optional<planning::View> view;  // none: back to a place where the robot has been
-  std::vector<slam::Pose2> path_map;   // from where the robot stands; its frame, and how it is turned
-  std::size_t height = 0;              // in whose slice the view was planned
-  std::size_t rank = 0;                // 0: the best of the views
-  bool leg_only = false;               // the path ends before the view
-  bool of_disc = false;                // the rectangle has no path; this is a disc's
+  std::optional<planning::View> view;    // none: back to a place where the robot has been
+  std::vector<slam::Pose2> path_map;     // from where the robot stands; its frame, and how it is turned
+  std::size_t height = 0;                // in whose slice the view was planned
+  std::size_t rank = 0;                  // 0: the best of the views
+  bool leg_only = false;                 // the path ends before the view
+  bool of_disc = false;                  // the rectangle has no path; this is a disc's
+  std::optional<ApproachTask> approach;  // the path is what it is expected to drive
 };
 
 /// What planning looks at.
@@ -24,9 +25,10 @@ struct Surroundings {
   std::vector<std::vector<planning::LabelledPolygon>> areas;  // by height
   std::vector<Eigen::Vector2d> obstacles_map;
   std::vector<slam::Pose2> T_map_scans;
+  std::vector<slam::Pose2> trail_map;  // driven last, to where the robot stands
 };
 
-Surroundings SurroundingsOf(const MissionMap& map);
+Surroundings SurroundingsOf(const MissionMap& map, std::span<const slam::Pose2> trail_map);
 
 /// A target of an earlier drive that ended at an obstacle.
 struct FailedTarget {
@@ -35,9 +37,10 @@ struct FailedTarget {
 };
 
 /// The next view and the path there (Sec. 4.2, 5.2): of all heights' views the one with the highest value
-/// that the rectangle has a path to; if the best few have none, the best view by the way of a disc. Places
-/// where drives have failed twice are passed over. Nothing where no view is worth a scan. Without any path
-/// to cut, the robot turns on the spot.
+/// that the rectangle has a path to with its whole margin, after it has gone back the way that it came
+/// until there is room for it; if the best few have none, with half of it; and at last the best view by
+/// the way of a disc. Places where drives have failed twice are passed over. Nothing where no view is worth
+/// a scan. Without any path to cut, the robot turns on the spot.
 std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const slam::Pose2& T_map_base,
                                           std::span<const FailedTarget> failed,
                                           const MissionOptions& options, std::uint64_t seed);

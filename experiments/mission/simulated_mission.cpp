@@ -99,6 +99,12 @@ std::optional<std::size_t> StopAt(const SimulatedMission& mission, double share)
 
 }  // namespace
 
+drivers::SimulatedRobotOptions CoarseRobotOptions() {
+  drivers::SimulatedRobotOptions options;
+  options.ais.slices = 128;
+  return options;
+}
+
 SimulatedMission RunSimulatedMission(const drivers::SimulatedRobot& truth, drivers::Robot& robot,
                                      const FloorToExplore& floor, const FloorScannerOptions& scanner,
                                      const MissionOptions& options, std::uint64_t seed,

@@ -1,9 +1,13 @@
 #pragma once
 
-#include "experiments/exploration/scan_loop_world.h"
+#include "drivers/simulated/simulated_robot.h"
+#include "experiments/exploration/floor_cover.h"
 #include "experiments/mission/mission.h"
 
 namespace ariadne::experiments {
+
+/// A coarse but real scan: 181 beams in 128 slices (Sec. 2.2), which takes 1.7 s.
+drivers::SimulatedRobotOptions CoarseRobotOptions();
 
 /// What is true of a stop, which the robot does not know.
 struct TrueStop {

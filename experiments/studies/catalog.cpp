@@ -8,8 +8,8 @@
 #include "experiments/studies/ablation_features.h"
 #include "experiments/studies/ablation_graph.h"
 #include "experiments/studies/ablation_matching.h"
+#include "experiments/studies/ablation_mission.h"
 #include "experiments/studies/ablation_nbv.h"
-#include "experiments/studies/ablation_nbv_3d.h"
 #include "experiments/studies/explore.h"
 #include "experiments/studies/extract.h"
 #include "experiments/studies/fig_01.h"
@@ -137,9 +137,9 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<AblationNbvOptions>("ablation_nbv",
                                     "policies and parameters of the view planner, on known floors",
                                     CheckAblationNbv, RunAblationNbv),
-      MakeStudy<AblationNbv3dOptions>("ablation_nbv_3d",
-                                      "view planners in buildings, with 3D scans and registration",
-                                      CheckAblationNbv3d, RunAblationNbv3d),
+      MakeStudy<AblationMissionOptions>("ablation_mission",
+                                        "whole missions in buildings, as configured and otherwise",
+                                        CheckAblationMission, RunAblationMission),
       MakeStudy<AblationControlOptions>("ablation_control",
                                         "the paper's controller, its fallbacks, and pure pursuit",
                                         CheckAblationControl, RunAblationControl)};

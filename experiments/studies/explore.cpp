@@ -25,13 +25,6 @@ drivers::World LoadExploreWorld(const ExploreStudyOptions& options) {
   return drivers::LoadWorld(ExpandDataPath(options.world).string(), options.geometry);
 }
 
-ScanLoopWorld PrepareExploreWorld(const ExploreStudyOptions& options) {
-  Explore3dOptions sight;
-  sight.scanner = options.scanner;
-  sight.robot = options.robot;
-  return PrepareScanLoopWorld(LoadExploreWorld(options), sight, options.judge, Parallel(options.threads));
-}
-
 /// The simulated robot, whose every answer is on the run's log before the mission gets it; a run that is
 /// resumed first hears what the log has.
 class LoggedSimulation {
@@ -99,7 +92,8 @@ std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& r
                        ProgressDisplay& progress, const std::function<bool()>& stop) {
   WriteManifest(run, {});
   progress.Show("what there is to see");
-  const ScanLoopWorld world = PrepareExploreWorld(options);
+  const MissionWorld world = PrepareMissionWorld(LoadExploreWorld(options), options.robot, options.scanner,
+                                                 options.judge, Parallel(options.threads));
   drivers::SimulatedRobotOptions robot_options = options.robot;
   robot_options.threads = options.threads;
   MissionOptions mission_options = options.mission;

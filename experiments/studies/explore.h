@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/simulated/load_world.h"
+#include "experiments/mission/mission_world.h"
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/run/progress_display.h"
 #include "experiments/run/run_directory.h"
@@ -16,7 +17,7 @@ struct ExploreStudyOptions {
   drivers::SimulatedRobotOptions robot = CoarseRobotOptions();
   MissionOptions mission;
   FloorScannerOptions scanner;
-  ScanLoopWorldOptions judge;
+  MissionWorldOptions judge;
   bool integrate = true;
   ModelOptions model;
   drivers::WorldOptions geometry;

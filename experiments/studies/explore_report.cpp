@@ -155,7 +155,7 @@ PageSection ExplorationView(const SimulatedMission& mission, const BuildingModel
   return section;
 }
 
-std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWorld& world,
+std::string ReportExploration(const SimulatedMission& mission, const MissionWorld& world,
                               const RunDirectory& run, const Parallel& parallel) {
   const MissionResult& result = mission.mission;
   run.WriteCsv("stops.csv", StopTable(mission));
@@ -166,10 +166,7 @@ std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWor
   for (const slam::PosedCloud& scan : result.scans) T_map_laser.push_back(scan.T_map_laser);
   WriteMissionTrajectory(run, "trajectory.tum", T_map_laser, result.stops);
   WriteMissionTrajectory(run, "truth.tum", mission.T_world_laser, result.stops);
-  Exploration3d judged;
-  judged.scans = result.scans;
-  judged.T_map_laser_true = mission.T_world_laser;
-  const ScanLoopVerdict verdict = JudgeExploration(judged, world, parallel);
+  const MissionVerdict verdict = JudgeMission(result.scans, mission.T_world_laser, world, parallel);
   const auto refused = std::ranges::count(result.registered, false);
   run.WriteJson("metrics.json", {{"end", Describe(result.end)},
                                  {"scans", result.scans.size()},
@@ -181,6 +178,7 @@ std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWor
                                  {"translation_rms_m", verdict.translation_rms},
                                  {"translation_max_m", verdict.translation_max},
                                  {"rotation_rms_rad", verdict.rotation_rms},
+                                 {"map_error_median_m", verdict.map_error_median},
                                  {"map_error_mean_m", verdict.map_error_mean},
                                  {"map_error_95_m", verdict.map_error_95},
                                  {"refused", refused},

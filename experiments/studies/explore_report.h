@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "experiments/mission/mission_world.h"
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/report/page.h"
 #include "experiments/report/table.h"
@@ -26,7 +27,7 @@ slam::Drawing DrawMission(const SimulatedMission& mission, const Floor& floor);
 PageSection ExplorationView(const SimulatedMission& mission, const BuildingModel& model);
 
 /// Writes tables, trajectories and pictures; returns what to print.
-std::string ReportExploration(const SimulatedMission& mission, const ScanLoopWorld& world,
+std::string ReportExploration(const SimulatedMission& mission, const MissionWorld& world,
                               const RunDirectory& run, const Parallel& parallel);
 
 }  // namespace ariadne::experiments

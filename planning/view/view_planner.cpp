@@ -8,6 +8,7 @@
 #include "planning/path/geodesic.h"
 #include "planning/view/frontier_places.h"
 #include "planning/view/looked_at.h"
+#include "planning/view/openings.h"
 #include "planning/view/view_policy.h"
 #include "slam/base/random.h"
 #include "slam/geometry/angles.h"
@@ -17,10 +18,15 @@ namespace {
 
 constexpr double kSamePlaceAsRobot = 0.5;  // [m]
 
+double ViewClearance(const ViewPlannerOptions& options) {
+  return std::max(options.robot_radius, options.view_clearance);
+}
+
 /// What one decision looks at.
 struct Scene {
   std::vector<slam::Polygon2> area;
   std::vector<Edge> edges;
+  std::vector<double> openings;  // of the edges
   FreeSpace free;
   GeodesicField ways;
   RayGain gain;
@@ -29,6 +35,7 @@ struct Scene {
         const ViewPlannerOptions& options, std::span<const Eigen::Vector2d> obstacles_map)
       : area(Plain(polygons)),
         edges(EdgesOf(polygons)),
+        openings(Openings(polygons)),
         free(area, options.free_space, obstacles_map),
         ways(DistancesFrom(free, T_map_robot.translation, options.robot_radius)),
         gain(edges, T_map_robot.angle, options.view.gain) {}
@@ -126,10 +133,11 @@ std::vector<Eigen::Vector2d> Decision::DrawAround(const Eigen::Vector2d& center)
 }
 
 std::vector<Eigen::Vector2d> Decision::Reachable(std::span<const Eigen::Vector2d> places, int count) const {
+  const double clearance = ViewClearance(options_);
   std::vector<Eigen::Vector2d> reachable;
   for (const Eigen::Vector2d& p_map : places) {
     if (reachable.size() == static_cast<std::size_t>(count)) break;
-    if (!scene_.free.IsFree(p_map, options_.robot_radius)) continue;
+    if (!scene_.free.IsFree(p_map, clearance)) continue;
     if (std::isfinite(scene_.ways.To(p_map))) reachable.push_back(p_map);
   }
   return reachable;
@@ -156,13 +164,14 @@ std::vector<double> Decision::Ways(std::span<const Eigen::Vector2d> places) cons
   return ways;
 }
 
-/// With what earlier scans have looked at in vain as spent.
+/// With what is too narrow, or earlier scans have looked at in vain, as spent.
 std::vector<RayHit> Decision::Cast(const Eigen::Vector2d& p_map) const {
   std::vector<RayHit> hits = scene_.gain.Cast(p_map);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!scene_.gain.IsUnseen(hits[i])) continue;
     const Eigen::Vector2d met = p_map + hits[i].distance * scene_.gain.Direction(i);
-    hits[i].spent = !looked_at_.IsWorth(met, scene_.gain.Direction(i), hits[i], options_.look_again);
+    hits[i].spent = scene_.openings[hits[i].edge] < options_.min_opening ||
+                    !looked_at_.IsWorth(met, scene_.gain.Direction(i), hits[i], options_.look_again);
   }
   return hits;
 }
@@ -277,7 +286,7 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
   }
   if (!plan.chosen && (by_frontier || options.second_look > 0)) {
     plan.second_look = !by_frontier;
-    const auto places = FrontierPlaces(scene.edges, scene.free, options.robot_radius);
+    const auto places = FrontierPlaces(scene.edges, scene.free, ViewClearance(options));
     const int count = by_frontier ? options.candidates.count : options.second_look;
     Judged before_edges = decision.Judge(decision.Reachable(places, count));
     plan.chosen = decision.Choose(before_edges);

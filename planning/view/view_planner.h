@@ -37,10 +37,12 @@ struct ViewPlannerOptions {
   ViewPolicy policy = ViewPolicy::kExponential;
   WayLength way = WayLength::kGeodesic;
   double robot_radius = 0.3;
+  double view_clearance = 0.0;
   double min_overlap = 0.0;
   int second_look = 1000;
   double piece = 0.5;
   double look_again = 0.5;
+  double min_opening = 0.0;
   int refined = 200;
   double refine_radius = 3.0;
   FreeSpaceOptions free_space;
@@ -57,6 +59,9 @@ struct ViewPlannerOptions {
     visit("robot_radius", self.robot_radius, Unit("m"), Range{0.05, 5.0},
           "of the disc that must get to a candidate: half the robot's width, since it passes doors "
           "lengthwise");
+    visit("view_clearance", self.view_clearance, Unit("m"), Range{0.0, 5.0},
+          "from a view to what is in the way, where robot_radius is less: half the robot's diagonal and "
+          "some more, so that it can turn there to any side");
     visit("min_overlap", self.min_overlap, Unit("share"), Range{0.0, 1.0},
           "of a view's rays that must meet known walls, so that it can be registered; the paper has no "
           "such rule (0)");
@@ -70,6 +75,9 @@ struct ViewPlannerOptions {
           "that "
           "it counts again. Windows and halls wider than the range promise the same gain for ever; 1000: "
           "always, as the paper has no such rule");
+    visit("min_opening", self.min_opening, Unit("m"), Range{0.0, 100.0},
+          "length of unseen edges in a row, below which they do not count: the side of a door frame, or what "
+          "noise leaves of a wall. The paper has no such rule (0)");
     visit("refined", self.refined, Unit(""), Range{0, 100000},
           "further candidates around the chosen one, of which the best is taken: a step to the side in a "
           "doorway shows a whole room. The paper has none (0)");

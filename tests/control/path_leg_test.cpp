@@ -71,6 +71,16 @@ TEST(DrivenLeg, IsOnItsArc) {
   }
 }
 
+/// A pose that is there twice, but for rounding: the way on from its end is the leg's, not the rounding's.
+TEST(DrivenLeg, GoesOnAsBeforeAPoseThatIsThereTwice) {
+  const std::vector<Pose2> path{{0.3, {0, 0}}, {0.3, {-0.1, -0.03}}, {0.3, {-0.1, -0.03 + 5e-16}}};
+  const PathLeg leg = LegFrom(path, 0, kCorner);
+  ASSERT_EQ(leg.kind, LegKind::kBackward);
+  const Pose2 beyond = DrivenLeg(path, leg).MotionAt(leg.length + 0.1);
+  const Eigen::Vector2d direction = Eigen::Vector2d(-0.1, -0.03).normalized();
+  EXPECT_NEAR((beyond.translation - path[1].translation).dot(direction), 0.1, 1e-3);
+}
+
 TEST(DrivenLeg, LooksForTheNearestWhereItIsTold) {
   const std::vector<Pose2> path = PathOf({}, {{2.0, 2.0 * M_PI}});  // a circle
   const DrivenLeg leg(path, LegFrom(path, 0, kCorner));

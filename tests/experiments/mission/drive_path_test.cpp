@@ -36,7 +36,7 @@ class DrivePathTest : public testing::Test {
   DriveReport Drive(const std::vector<slam::Pose2>& path, const slam::AlignModel* model,
                     const DriveOptions& options = {}) {
     const Localizer localizer(robot_, robot_.T_map_base_true(), model, scanner_, options.localize);
-    return DrivePath(robot_, localizer, {path, {}, {}}, options, {});
+    return DrivePath(robot_, localizer, {path, {}, {}, {}}, options, {});
   }
 
   drivers::SimulatedRobot robot_{TwoRoomsScene(), RobotOptions(), 3};
@@ -57,7 +57,7 @@ TEST_F(DrivePathTest, ArrivesWhereTheMapSaysAndNotWhereTheWheelsSay) {
 
   drivers::SimulatedRobot blind(TwoRoomsScene(), RobotOptions(), 3);
   const Localizer odometry(blind, blind.T_map_base_true(), nullptr, scanner_, {});
-  const DriveReport by_wheels = DrivePath(blind, odometry, {path, {}, {}}, {}, {});
+  const DriveReport by_wheels = DrivePath(blind, odometry, {path, {}, {}, {}}, {}, {});
   const slam::Pose2 erred = by_wheels.poses_map.back().Inverse() * blind.T_map_base_true();
   EXPECT_GT(std::abs(erred.angle), 0.05);
 }

@@ -33,7 +33,7 @@ void ExpectSameStops(const MissionResult& a, const MissionResult& b) {
 }
 
 TEST(Mission, SeesTwoRoomsAndEndsByItself) {
-  const ScanLoopWorld world = PrepareTwoRooms();
+  const MissionWorld world = PrepareTwoRooms();
   drivers::SimulatedRobot robot(world.scene, QuickRobot(), 1);
   const SimulatedMission mission = RunSimulatedMission(robot, robot, world.floor, {}, QuickMission(), 1);
   const MissionResult& result = mission.mission;

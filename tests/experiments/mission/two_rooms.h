@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "drivers/simulated/plan_world.h"
+#include "experiments/mission/mission_world.h"
 #include "experiments/mission/simulated_mission.h"
 
 namespace ariadne::experiments {
@@ -36,12 +37,10 @@ inline MissionOptions QuickMission() {
   return options;
 }
 
-inline ScanLoopWorld PrepareTwoRooms() {
-  ScanLoopWorldOptions options;
+inline MissionWorld PrepareTwoRooms() {
+  MissionWorldOptions options;
   options.reach_step = 0.2;
-  Explore3dOptions sight;
-  sight.robot = QuickRobot();
-  return PrepareScanLoopWorld(TwoRooms(), sight, options, Parallel(1));
+  return PrepareMissionWorld(TwoRooms(), QuickRobot(), {}, options, Parallel(1));
 }
 
 }  // namespace ariadne::experiments

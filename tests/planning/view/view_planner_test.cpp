@@ -42,6 +42,27 @@ ViewPlannerOptions OfPolicy(ViewPolicy policy) {
   return options;
 }
 
+TEST(ViewPlanner, KeepsRoomAroundItsViews) {
+  ViewPlannerOptions options;
+  options.view_clearance = 1.2;
+  const ViewPlan plan = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  ASSERT_EQ(plan.status, NextViewStatus::kFound);
+  for (const View& view : plan.views) {
+    EXPECT_GT(view.p_map.y(), 1.19);
+    EXPECT_LT(view.p_map.y(), 2.81);
+  }
+  options.view_clearance = 2.5;  // no room of 4 m has it
+  EXPECT_EQ(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).status, NextViewStatus::kNoCandidates);
+}
+
+TEST(ViewPlanner, PassesOverWhatIsTooNarrow) {
+  ViewPlannerOptions options;
+  options.min_opening = 3.9;
+  EXPECT_EQ(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).status, NextViewStatus::kFound);
+  options.min_opening = 4.1;  // than the open side
+  EXPECT_EQ(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).status, NextViewStatus::kNoGain);
+}
+
 TEST(ViewPlanner, GoesWhereSomethingIsUnseen) {
   for (const auto policy :
        {ViewPolicy::kExponential, ViewPolicy::kGain, ViewPolicy::kRandom, ViewPolicy::kNearestFrontier,

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drivers/simulated/simulated_robot.h"
+#include "experiments/mission/mission_options.h"
+
+namespace ariadne::experiments {
+
+/// What is done otherwise than the configured mission does it, one thing at a time.
+struct MissionVariantOptions {
+  bool paper = true;
+  std::string matching;
+  std::string planners;
+  std::string overlaps;
+  std::string slices;
+  std::string drives;
+  std::string noises;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit(
+        "paper", self.paper,
+        "the configuration of 2003: the queue with points of slices, the printed constants of the planner, "
+        "the controller with its fallbacks, odometry alone while driving");
+    visit("matching", self.matching, "methods of registration: a, b, ...; empty: none");
+    visit(
+        "planners", self.planners,
+        "`paper`, the constants and the rule of the paper with the robot's clearances, or policies: a, b, "
+        "...");
+    visit("overlaps", self.overlaps, "least overlaps with what is known: a, b, ...");
+    visit("slices", self.slices, "heights [m] in which the view is planned: a b c, d e f, ...");
+    visit("drives", self.drives,
+          "`approach`, the paper's controller and fallbacks; `approach_first`; `odometry`, without looking "
+          "around while driving: a, b, ...");
+    visit("noises", self.noises, "factors of the errors of the wheels: a, b, ...");
+  }
+};
+
+/// A mission to compare, and its robot.
+struct MissionVariant {
+  std::string name;
+  MissionOptions mission;
+  drivers::SimulatedRobotOptions robot;
+};
+
+/// The mission as it is configured, `default`, and after it the variants. Error where a list cannot be
+/// read.
+std::vector<MissionVariant> MissionVariants(const MissionOptions& mission,
+                                            const drivers::SimulatedRobotOptions& robot,
+                                            const MissionVariantOptions& variants);
+
+/// The names in a list: a, b, ...
+std::vector<std::string> ListedNames(const std::string& text);
+
+}  // namespace ariadne::experiments
