@@ -30,9 +30,9 @@ VARIANTS = (
     [(f"slices_point_{m}", "register_2003", (f"registration.method={m}",)) for m in METHODS] +
     [("slices_gicp", "register_2003", ("icp.metric=plane_to_plane",)),
      ("voxel_point", "register_2003", ("reduce.method=voxel_mean",)),
-     ("voxel_point_robust", "demo", ("icp.metric=point_to_point",)),
-     ("voxel_plane", "demo", ("icp.metric=point_to_plane",))] +
-    [(f"voxel_gicp_{m}", "demo", (f"registration.method={m}",)) for m in METHODS])
+     ("voxel_point_robust", "register_office", ("icp.metric=point_to_point",)),
+     ("voxel_plane", "register_office", ("icp.metric=point_to_plane",))] +
+    [(f"voxel_gicp_{m}", "register_office", (f"registration.method={m}",)) for m in METHODS])
 
 STRIPS = [
     ("odometry", plots.GRAY, "odometry"),
@@ -73,13 +73,13 @@ def office(values, published_seconds, experiments):
         png.write(BUILD / f"fig_03_{view}.png", png.bolder(png.read(fig_03 / "figures" / f"{view}.png")))
     stacked_parts(values, "fig_03_top", 3, gap=12)  # half of the program's, as the picture
     v.add_fig_05(values, "fig5.office", copy_fig_05(experiments.run("fig_05"), "fig_05"))
-    demo = experiments.run("demo")
-    make_readme_picture(demo)
-    v.add_options(values, "default", demo)
+    office = experiments.run("register_office")
+    make_readme_picture(office)
+    v.add_options(values, "default", office)
     v.add_options(values, "faithful", experiments.run("register_2003"))
-    metrics = read_json(demo / "metrics.json")
+    metrics = read_json(office / "metrics.json")
     values.set("office.scans", metrics["scans"])
-    values.set("processor", read_json(demo / "manifest.json")["processor"])
+    values.set("processor", read_json(office / "manifest.json")["processor"])
 
 
 def office_truth(values, experiments):
@@ -102,7 +102,7 @@ def office_truth(values, experiments):
     for metric in v.METRICS:
         two = ("registration.method=pairwise", "input.last=1", f"icp.metric={metric}")
         v.add_covariance(values, metric,
-                         experiments.run_all([job("demo", f"two_{metric}", seed, two) for seed in SEEDS]))
+                         experiments.run_all([job("register_office", f"two_{metric}", seed, two) for seed in SEEDS]))
 
 
 def hallway(values, published_seconds, published, experiments):

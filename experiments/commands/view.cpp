@@ -91,8 +91,8 @@ void AddViewCommand(CLI::App& app) {
       "Options for --set: from=top|oblique|scanner, color=scan|height|reflectance|error, scan=N, "
       "width=PX,\n"
       "cut_height=M (worlds), geometry.plan.*, geometry.mesh.*\n"
-      "Example:\n  ariadne view results/register/demo\n"
-      "  ariadne view results/register/demo --set from=top --set color=scan --out map.png\n"
+      "Example:\n  ariadne view results/explore/demo\n"
+      "  ariadne view results/explore/demo --set from=top --set color=scan --out map.png\n"
       "  ariadne view builtin:robobench --out robobench.png");
   command->callback([arguments] { View(*arguments); });
 }
