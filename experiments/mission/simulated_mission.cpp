@@ -102,6 +102,7 @@ std::optional<std::size_t> StopAt(const SimulatedMission& mission, double share)
 drivers::SimulatedRobotOptions CoarseRobotOptions() {
   drivers::SimulatedRobotOptions options;
   options.ais.slices = 128;
+  options.base.command_timeout = 0.25;
   return options;
 }
 

@@ -6,7 +6,8 @@
 
 namespace ariadne::experiments {
 
-/// A coarse but real scan: 181 beams in 128 slices (Sec. 2.2), which takes 1.7 s.
+/// A coarse but real scan: 181 beams in 128 slices (Sec. 2.2), which takes 1.7 s. The base stops by itself
+/// where commands fail to come for a quarter of a second.
 drivers::SimulatedRobotOptions CoarseRobotOptions();
 
 /// What is true of a stop, which the robot does not know.

@@ -1,0 +1,111 @@
+// A mission that is killed at any moment goes on to the same map; a full disk ends it and says so.
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "slam/base/random.h"
+#include "tests/system/program.h"
+
+namespace ariadne {
+namespace {
+
+using testing::HasSubstr;
+
+class Explore : public ProgramTest {
+ protected:
+  /// Two rooms of 3.5 m x 4 m; stubs of wall tell their ends apart.
+  void SetUp() override {
+    folder_.Write("rooms.json",
+                  R"({"walls": [[0, 0, 7, 0], [7, 0, 7, 4], [7, 4, 0, 4], [0, 4, 0, 0], [3.5, 0, 3.5, 1.3],
+                      [3.5, 2.7, 3.5, 4], [0.8, 4, 0.8, 3.4], [5.8, 0, 5.8, 0.7]],
+                      "doors": [], "start": [1.5, 2], "spaces": []})");
+    folder_.Write("rooms.yaml", R"(experiment: explore
+world: rooms.json
+robot:
+  ais:
+    slices: 64
+mission:
+  area:
+    polygon:
+      slice:
+        half_thickness: 0.1
+  planner:
+    candidates:
+      count: 60
+    refined: 40
+  limits:
+    max_scans: 5
+geometry:
+  plan:
+    thickness: 0.3
+integrate: false
+)");
+  }
+
+  /// Starts the command, and kills it after a time, if it has not ended before.
+  bool KillAfter(std::chrono::milliseconds time, std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), ARIADNE_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+      if (chdir(folder_.path().c_str()) == 0) execv(argv[0], argv.data());
+      _exit(127);
+    }
+    std::this_thread::sleep_for(time);
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << "status " << WEXITSTATUS(status);
+    return WIFSIGNALED(status);
+  }
+};
+
+TEST_F(Explore, KilledAtAnyMomentGoesOnToTheSameMap) {
+  Must("explore rooms.yaml --out whole -q");
+  RandomStream stream = NamedStream(1, "test/kill");
+  int killed = 0;
+  constexpr int kKills = 12;
+  bool goes_on =
+      KillAfter(std::chrono::milliseconds(50), {"explore", "rooms.yaml", "--out", "killed", "-q"});
+  for (int i = 0; i < kKills && goes_on; ++i) {
+    const auto time = std::chrono::milliseconds(static_cast<int>(DrawUniform(stream, 20.0, 1500.0)));
+    const bool began = fs::exists(folder_ / "killed/config.yaml");
+    goes_on = KillAfter(
+        time,
+        began ? std::vector<std::string>{"explore", "--resume", "--out", "killed", "-q"}
+              : std::vector<std::string>{"explore", "rooms.yaml", "--out", "killed", "--overwrite", "-q"});
+    killed += goes_on ? 1 : 0;
+  }
+  EXPECT_GE(killed, 1);
+  Must("explore --resume --out killed -q");
+  for (const char* name : {"map.ply", "poses.txt", "stops.csv", "metrics.json", "robot.log"})
+    EXPECT_TRUE(Content(std::string("whole/") + name) == Content(std::string("killed/") + name)) << name;
+}
+
+TEST_F(Explore, TellsWhereTheDiskIsFullAndGoesOnWhenItIsNot) {
+  Must("explore rooms.yaml --out whole -q");
+  const Ended ended = Shell("trap '' XFSZ; ulimit -f 200; ariadne explore rooms.yaml --out run -q");
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.err, HasSubstr("cannot be written: File too large"));
+  EXPECT_THAT(Content("run/progress.json"), HasSubstr("\"state\": \"failed\""));
+  Must("explore --resume --out run -q");
+  EXPECT_TRUE(Content("whole/map.ply") == Content("run/map.ply"));
+  EXPECT_EQ(Content("whole/metrics.json"), Content("run/metrics.json"));
+}
+
+TEST_F(Explore, SaysWhatItCannotDo) {
+  EXPECT_THAT(Ariadne("explore rooms.yaml --out run --set world=none.json -q").err, HasSubstr("none.json"));
+  EXPECT_THAT(Ariadne("explore rooms.yaml --out run --set mission.limits.fence=1 -q").err,
+              HasSubstr("fence"));
+  EXPECT_THAT(Ariadne("explore --resume --out nothing -q").err, HasSubstr("nothing"));
+  EXPECT_FALSE(fs::exists(folder_ / "run/map.ply"));
+}
+
+}  // namespace
+}  // namespace ariadne
