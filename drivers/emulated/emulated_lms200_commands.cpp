@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -75,7 +76,7 @@ lms200::StatusReply EmulatedLms200::Status() const {
   reply.software = options_.s14 ? "X01.27" : "V02.10";
   reply.mode = mode_;
   reply.error = status_ & 0x07;
-  reply.motor_revolutions = static_cast<std::uint16_t>(1.0 / options_.turn_period + 0.5);
+  reply.motor_revolutions = static_cast<std::uint16_t>(std::lround(1.0 / options_.turn_period));
   reply.measuring_mode = lms200::MeasuringModeOf(config_);
   reply.variant = variant_;
   reply.baud = baud_;

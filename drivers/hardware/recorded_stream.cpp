@@ -7,7 +7,10 @@ namespace ariadne::drivers {
 
 RecordingStream::RecordingStream(std::unique_ptr<ByteStream> line,
                                  std::function<void(const LineRecord&)> record)
-    : line_(std::move(line)), record_(std::move(record)), now_(line_->Now()) {}
+    : line_(std::move(line)), record_(std::move(record)), now_(line_->Now()) {
+  const std::string name = line_->name();
+  Record({LineRecord::Kind::kOpen, 0.0, Bytes(name.begin(), name.end()), line_->baud()});
+}
 
 void RecordingStream::Record(LineRecord record) {
   now_ = line_->Now();
@@ -31,8 +34,11 @@ void RecordingStream::SetBaud(int baud) {
   Record({LineRecord::Kind::kBaud, 0.0, {}, baud});
 }
 
-RecordedStream::RecordedStream(std::string name, double start, std::vector<LineRecord> records)
-    : name_(std::move(name)), records_(std::move(records)), now_(start) {}
+RecordedStream::RecordedStream(std::vector<LineRecord> records) : records_(std::move(records)) {
+  const LineRecord& open = Take(LineRecord::Kind::kOpen);
+  name_.assign(open.bytes.begin(), open.bytes.end());
+  baud_ = open.baud;
+}
 
 const LineRecord& RecordedStream::Take(LineRecord::Kind kind) {
   if (next_ == records_.size()) Fail("the recording of {} ends after {} calls", name_, records_.size());

@@ -10,18 +10,19 @@ namespace ariadne::drivers {
 
 /// One call to a line, and when it returned.
 struct LineRecord {
-  enum class Kind : std::uint8_t { kRead, kWrite, kBaud };
+  enum class Kind : std::uint8_t { kOpen, kRead, kWrite, kBaud };
 
   Kind kind = Kind::kRead;
   double time = 0.0;  // [s], of the line
-  Bytes bytes;        // read (perhaps none) or written
-  int baud = 0;       // of kBaud
+  Bytes bytes;        // read (perhaps none) or written; of kOpen the line's name
+  int baud = 0;       // of kOpen and kBaud
 
   bool operator==(const LineRecord&) const = default;
 };
 
-/// A line whose calls are handed to `record` as they return. Its clock shows the time of the last one and
-/// goes on with the next, so that who talks over it decides by nothing that is not recorded.
+/// A line whose calls are handed to `record` as they return, after one that says that it was opened. Its
+/// clock shows the time of the last one and goes on with the next, so that who talks over it decides by
+/// nothing that is not recorded.
 class RecordingStream : public ByteStream {
  public:
   RecordingStream(std::unique_ptr<ByteStream> line, std::function<void(const LineRecord&)> record);
@@ -42,11 +43,10 @@ class RecordingStream : public ByteStream {
 };
 
 /// The same calls once more, from their records. Error where the caller does anything else than when it was
-/// recorded, or more.
+/// recorded, or more, or where the first record is of no opening.
 class RecordedStream : public ByteStream {
  public:
-  /// `start` is the time of the recording's first call to Now().
-  RecordedStream(std::string name, double start, std::vector<LineRecord> records);
+  explicit RecordedStream(std::vector<LineRecord> records);
 
   std::string name() const override { return name_; }
   double Now() const override { return now_; }
@@ -63,7 +63,7 @@ class RecordedStream : public ByteStream {
   std::string name_;
   std::vector<LineRecord> records_;
   std::size_t next_ = 0;
-  double now_;
+  double now_ = 0.0;
   int baud_ = 9600;
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <numbers>
 
 #include "drivers/simulated/ray_scene.h"
 #include "drivers/simulated/solids.h"
@@ -37,18 +37,44 @@ bool ShowsCorner(const Vector3d& corner, const Camera& camera, const drivers::Ra
   return scene.Cast({eye, (corner - eye) / distance}).distance > distance - kSurfaceNear;
 }
 
-/// Boxes that show at least one corner.
+/// Boxes that show most of the corners that can be seen at once.
 int BoxesInView(const slam::SurfaceModel& surfaces, const Camera& camera, const drivers::RayScene& scene) {
+  constexpr int kEnough = 4;  // of seven
   int count = 0;
   for (const slam::ObjectBox& object : surfaces.objects) {
-    bool shows = false;
-    for (int i = 0; i < 8 && !shows; ++i) {
+    int corners = 0;
+    for (int i = 0; i < 8; ++i) {
       const auto corner = static_cast<slam::Box3::CornerType>(i);
-      shows = ShowsCorner(object.box.corner(corner), camera, scene);
+      corners += ShowsCorner(object.box.corner(corner), camera, scene) ? 1 : 0;
     }
-    count += shows ? 1 : 0;
+    count += corners >= kEnough ? 1 : 0;
   }
   return count;
+}
+
+/// Over a scanner, as wide as a wide-angle lens, turned from where that looks by an angle [rad].
+Camera ViewFrom(const slam::Pose3& T_map_laser, double turn, const PictureSize& size) {
+  constexpr double kAbove = 0.5, kDown = 0.25;  // [m], per metre ahead
+  const Vector3d eye = T_map_laser.translation + Vector3d(0.0, 0.0, kAbove);
+  Vector3d ahead = Eigen::AngleAxisd(turn, Vector3d::UnitZ()) * T_map_laser.RotationMatrix().col(0);
+  ahead.z() = 0.0;
+  return LookAt(eye, eye + ahead.normalized() - Vector3d(0.0, 0.0, kDown), Vector3d::UnitZ(), kFieldOfView,
+                size);
+}
+
+/// Whether nothing fills half of the picture from right before the camera.
+bool IsOpen(const Camera& camera, const drivers::RayScene& scene) {
+  constexpr int kColumns = 9;
+  constexpr double kNear = 2.0;  // [m]
+  const slam::Pose3 T_map_camera = camera.T_camera_map.Inverse();
+  int near = 0;
+  for (int i = 0; i < kColumns; ++i) {
+    const double u = camera.width * (i + 0.5) / kColumns;
+    const Vector3d direction((u - camera.center.x()) / camera.scale, 0.0, 1.0);
+    const Vector3d direction_map = T_map_camera.rotation * direction.normalized();
+    near += scene.Cast({T_map_camera.translation, direction_map}).distance < kNear ? 1 : 0;
+  }
+  return 2 * near < kColumns;
 }
 
 slam::TriangleMesh Colored(slam::TriangleMesh mesh) {
@@ -67,30 +93,24 @@ slam::TriangleMesh Lightened(slam::TriangleMesh mesh) {
   return mesh;
 }
 
-Camera ViewFrom(const slam::Pose3& T_map_laser, const PictureSize& size) {
-  constexpr double kAbove = 0.5, kDown = 0.25;  // [m], per metre ahead
-  const Vector3d eye = T_map_laser.translation + Vector3d(0.0, 0.0, kAbove);
-  Vector3d ahead = T_map_laser.RotationMatrix().col(0);
-  ahead.z() = 0.0;
-  return LookAt(eye, eye + ahead.normalized() - Vector3d(0.0, 0.0, kDown), Vector3d::UnitZ(), kFieldOfView,
-                size);
-}
-
-std::vector<std::size_t> BestViews(const BuildingModel& model, const std::vector<slam::Pose3>& T_map_laser,
-                                   std::size_t count, const PictureSize& size) {
+std::vector<BoxView> BestViews(const BuildingModel& model, const std::vector<slam::Pose3>& T_map_laser,
+                               std::size_t count, const PictureSize& size) {
+  constexpr int kDirections = 8;
   const drivers::RayScene scene = SceneOfMesh(model.mesh);
-  std::vector<int> boxes;
-  for (const slam::Pose3& pose : T_map_laser)
-    boxes.push_back(BoxesInView(model.surfaces, ViewFrom(pose, size), scene));
-  std::vector<std::size_t> order(T_map_laser.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return boxes[a] > boxes[b]; });
-  std::vector<std::size_t> best;
-  for (const std::size_t i : order) {
-    const bool apart = std::ranges::all_of(best, [&](std::size_t k) {
-      return (T_map_laser[k].translation - T_map_laser[i].translation).norm() > kApart;
+  std::vector<BoxView> views;
+  for (std::size_t i = 0; i < T_map_laser.size(); ++i) {
+    for (int k = 0; k < kDirections; ++k) {
+      const Camera camera = ViewFrom(T_map_laser[i], 2.0 * std::numbers::pi * k / kDirections, size);
+      if (IsOpen(camera, scene)) views.push_back({i, camera, BoxesInView(model.surfaces, camera, scene)});
+    }
+  }
+  std::ranges::stable_sort(views, [](const BoxView& a, const BoxView& b) { return a.boxes > b.boxes; });
+  std::vector<BoxView> best;
+  for (const BoxView& view : views) {
+    const bool apart = std::ranges::all_of(best, [&](const BoxView& other) {
+      return (T_map_laser[other.pose].translation - T_map_laser[view.pose].translation).norm() > kApart;
     });
-    if (apart && best.size() < count) best.push_back(i);
+    if (apart && best.size() < count) best.push_back(view);
   }
   return best;
 }

@@ -8,13 +8,18 @@
 
 namespace ariadne::experiments {
 
-/// A camera over a scanner that looks ahead, as wide as a wide-angle lens.
-Camera ViewFrom(const slam::Pose3& T_map_laser, const PictureSize& size);
+/// A view of boxes around objects.
+struct BoxView {
+  std::size_t pose = 0;  // from which of the poses
+  Camera camera;
+  int boxes = 0;  // that show most of their corners
+};
 
-/// Of the poses, those whose views (ViewFrom) show corners of most boxes around objects within 8 m, at
-/// least 3 m from each other; the first comes first.
-std::vector<std::size_t> BestViews(const BuildingModel& model, const std::vector<slam::Pose3>& T_map_laser,
-                                   std::size_t count, const PictureSize& size);
+/// From above the scanner, at each of its poses in eight directions: the views that show most boxes within
+/// 8 m, and are not of a wall right ahead; their poses are at least 3 m from each other. The first comes
+/// first.
+std::vector<BoxView> BestViews(const BuildingModel& model, const std::vector<slam::Pose3>& T_map_laser,
+                               std::size_t count, const PictureSize& size);
 
 /// The mesh with its greys lifted and drawn together: floors, which beams meet at a grazing angle, return
 /// so little that they would be black.

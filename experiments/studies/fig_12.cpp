@@ -54,10 +54,10 @@ std::vector<Image> BoxViews(const BuildingModel& model, const std::vector<slam::
   const PictureSize size{width, width * 3 / 4};
   const slam::TriangleMesh with_boxes = WithBoxEdges(model.mesh, model.surfaces, kBoxEdge);
   std::vector<Image> views;
-  for (const std::size_t i : BestViews(model, poses, 2, size)) {
+  for (const BoxView& view : BestViews(model, poses, 2, size)) {
     const std::string title =
-        fmt::format("({}) Boxes around objects, from stop {}", views.empty() ? "c" : "d", i + 1);
-    views.push_back(WithTitle(RenderMesh(with_boxes, ViewFrom(poses[i], size), {}, Parallel(1)), title));
+        fmt::format("({}) Boxes around objects, from stop {}", views.empty() ? "c" : "d", view.pose + 1);
+    views.push_back(Titled(RenderMesh(with_boxes, view.camera, {}, Parallel(1)), title, 2 * width));
   }
   return views;
 }

@@ -8,8 +8,6 @@
 namespace ariadne::drivers {
 namespace {
 
-constexpr int kTurnsOfPartial = 4;  // 0.25 deg apart, each with a beam per degree
-
 lms200::Variant VariantOf(const Lms200Options& options, bool partial) {
   lms200::Variant variant;
   variant.field_of_view = static_cast<std::uint16_t>(options.field_of_view);
@@ -57,7 +55,7 @@ slam::ScannerModel Lms200::scanner() const {
   slam::ScannerModel scanner;
   scanner.first_angle = (options_.field_of_view == 100 ? 40.0 : 0.0) * kRadians;
   scanner.angle_step = options_.resolution * kRadians;
-  scanner.turns_per_sweep = partial_ ? kTurnsOfPartial : lms200::TurnsOf(variant_);
+  scanner.turns_per_sweep = partial_ ? lms200::kTurnsOfPartial : lms200::TurnsOf(variant_);
   scanner.turn_period = options_.turn_period;
   return scanner;
 }
@@ -84,81 +82,6 @@ void Lms200::FailIfBroken(const lms200::DeviceStatus& status) {
       "manual",
       line_->name(), status.severity == 3 ? "an error" : "a fatal error",
       memory.empty() ? " empty" : memory);
-}
-
-/// Whether it is what the scanner was asked for.
-bool Lms200::IsExpected(const lms200::MeasuredValues& values) const {
-  const lms200::Code code = options_.reflectivity ? lms200::Code::kReflectivity : lms200::Code::kScan;
-  const std::size_t offset_beams = values.offset == 0 ? 181 : 180;
-  return values.code == lms200::ReplyTo(code) && values.unit == unit_ && values.partial == partial_ &&
-         values.words.size() == (partial_ ? offset_beams : beams_) &&
-         (!options_.reflectivity || values.reflectivity.size() == beams_);
-}
-
-std::optional<Lms200Sweep> Lms200::Accept(const lms200::Link::Arrived& arrived) {
-  const auto* values = std::get_if<lms200::MeasuredValues>(&arrived.reply);
-  if (values == nullptr) return std::nullopt;
-  const lms200::DeviceStatus status = lms200::DeviceStatusOf(values->status);
-  FailIfBroken(status);
-  if (!IsExpected(*values) || status.restart || status.implausible) {
-    ++counters_.unexpected;
-    return std::nullopt;
-  }
-  const std::optional<double> end = clock_.EndOf(arrived.time - link_.TimeOf(arrived.size));
-  if (!end) {
-    ++counters_.no_time;
-    parts_.clear();
-    return std::nullopt;
-  }
-  Part part{*values, *end - options_.output_delay};
-  if (partial_) return AddPart(std::move(part));
-  return SweepOf({std::move(part)});
-}
-
-/// Turns must follow each other, in the order of their offsets.
-std::optional<Lms200Sweep> Lms200::AddPart(Part part) {
-  if (!parts_.empty()) {
-    const double turns = (part.end - parts_.back().end) / options_.turn_period;
-    const bool next = part.values.offset == static_cast<int>(parts_.size()) && std::abs(turns - 1.0) < 0.5;
-    if (!next) {
-      ++counters_.incomplete;
-      parts_.clear();
-    }
-  }
-  if (parts_.empty() && part.values.offset != 0) return std::nullopt;
-  parts_.push_back(std::move(part));
-  if (parts_.size() < kTurnsOfPartial) return std::nullopt;
-  const std::vector<Part> parts = std::exchange(parts_, {});
-  return SweepOf(parts);
-}
-
-Lms200Sweep Lms200::SweepOf(const std::vector<Part>& parts) const {
-  Lms200Sweep result;
-  const std::size_t step = parts.size();
-  const int levels = lms200::ReflectorLevels(measuring_mode_);
-  const bool amplitude = measuring_mode_ == lms200::MeasuringMode::kReflectivity;
-  result.sweep.stamp = parts.front().end - options_.turn_period * lms200::TurnsOf(variant_);
-  result.sweep.ranges.assign(beams_, slam::LaserSweep::kNoReturn);
-  if (levels > 0 || amplitude || options_.reflectivity) result.sweep.reflectance.resize(beams_);
-  for (std::size_t p = 0; p < step; ++p) {
-    const lms200::MeasuredValues& values = parts[p].values;
-    const lms200::DeviceStatus status = lms200::DeviceStatusOf(values.status);
-    result.status.severity = std::max(result.status.severity, status.severity);
-    result.status.polluted = result.status.polluted || status.polluted;
-    for (std::size_t i = 0; i < values.words.size(); ++i) {
-      const lms200::Echo echo = lms200::EchoOf(values.words[i], measuring_mode_);
-      const std::size_t beam = i * step + p;
-      const bool measured = echo.error == lms200::ValueError::kNone && !amplitude;
-      if (measured) result.sweep.ranges[beam] = static_cast<float>(echo.number * lms200::Metres(unit_));
-      if (!measured) ++result.no_distance;
-      if (levels > 0)
-        result.sweep.reflectance[beam] = static_cast<float>(echo.flags) / static_cast<float>(levels);
-      if (amplitude) result.sweep.reflectance[beam] = static_cast<float>(echo.number) / 255.0F;
-      if (options_.reflectivity)
-        result.sweep.reflectance[beam] = static_cast<float>(values.reflectivity[i]) / 255.0F;
-    }
-  }
-  return result;
 }
 
 /// How long sweeps may stay away: some are needed before there are times again.
@@ -227,7 +150,7 @@ std::optional<Lms200Sweep> Lms200::AskForSweep() {
   FailIfBroken(status);
   const double end = arrived->time - link_.TimeOf(arrived->size);
   const bool in_time = end <= arrived->asked + link_.UsualAck() + duration + kSlack;
-  const bool expected = IsExpected(*values) && !status.restart && !status.implausible;
+  const bool expected = IsExpected(*values) && !status.restart;
   if (!expected) ++counters_.unexpected;
   if (!in_time) ++counters_.no_time;
   if (!expected || !in_time) return std::nullopt;

@@ -117,11 +117,15 @@ class Lms200 {
   std::optional<lms200::Reply> Ask(const lms200::Command& command, double reply_time = 0.3);
   lms200::Command StreamCommand() const;
 
+  // lms200_sweeps.cpp
   bool IsExpected(const lms200::MeasuredValues& values) const;
   std::optional<Lms200Sweep> Accept(const lms200::Link::Arrived& arrived);
   std::optional<Lms200Sweep> AskForSweep();
   std::optional<Lms200Sweep> AddPart(Part part);
   Lms200Sweep SweepOf(const std::vector<Part>& parts) const;
+  void PutBeams(const lms200::MeasuredValues& values, std::size_t first, std::size_t step,
+                Lms200Sweep& result) const;
+
   void FailIfBroken(const lms200::DeviceStatus& status);
   double LongestQuiet() const;
   void Recover();

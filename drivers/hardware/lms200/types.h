@@ -99,11 +99,14 @@ constexpr std::size_t BeamsOf(const Variant& variant) {
 /// How many turns of the mirror it takes: one measures every degree (spec 9.3).
 constexpr int TurnsOf(const Variant& variant) { return 100 / variant.resolution; }
 
+/// A sweep of 0.25 deg over 180 deg is made of so many turns, each with a beam per degree.
+constexpr int kTurnsOfPartial = 4;
+
 /// The last byte of each reply (spec 9.3).
 struct DeviceStatus {
   int severity = 0;          // 0 ok, 1 information, 2 warning, 3 error, 4 fatal
   bool restart = false;      // the device is restarting
-  bool implausible = false;  // of the values
+  bool implausible = false;  // of the values; unverified, so that nothing is refused for it
   bool polluted = false;     // of the front window
 
   bool operator==(const DeviceStatus&) const = default;

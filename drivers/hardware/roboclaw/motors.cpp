@@ -86,15 +86,25 @@ std::uint8_t Motors::TimeoutNumber() const {
   return static_cast<std::uint8_t>(std::lround(options_.timeout * 10.0));
 }
 
+void Motors::FailIfRestarted() {
+  if (Ask(Code::kTimeout).front() == TimeoutNumber()) return;
+  Tell(Code::kSetTimeout, {TimeoutNumber()});
+  Fail(
+      "the motor board on {} was without power for a moment and has lost its counts; see its battery and "
+      "its plug",
+      line_->name());
+}
+
 void Motors::Connect() {
   line_->SetBaud(options_.baud);
   const Bytes version = Ask(Code::kVersion);
   version_.assign(version.begin(), std::find(version.begin(), version.end(), std::uint8_t{'\n'}));
-  Stop();
+  Tell(Code::kSetTimeout, {TimeoutNumber()});
   if (Ask(Code::kTimeout).front() != TimeoutNumber()) {
     Fail("the motor board on {} does not keep its timeout of {} s; do not drive it", line_->name(),
          options_.timeout);
   }
+  Stop();
 }
 
 void Motors::SetSpeeds(const Pair& speeds, double acceleration) {
@@ -108,7 +118,7 @@ void Motors::SetSpeeds(const Pair& speeds, double acceleration) {
     }
     PutNumber(data, static_cast<std::uint32_t>(std::llround(speed)), 4);
   }
-  Tell(Code::kSetTimeout, {TimeoutNumber()});
+  FailIfRestarted();
   Tell(Code::kSpeedsWithAcceleration, data);
 }
 
@@ -117,7 +127,9 @@ void Motors::Stop() { SetSpeeds({0.0, 0.0}, kQuickest); }
 EncoderCounts Motors::Encoders() {
   const double asked = line_->Now();
   const Bytes data = Ask(Code::kEncoders);
-  return {0.5 * (asked + line_->Now()), {SignedAt(data, 0), SignedAt(data, 4)}};
+  const EncoderCounts counts{0.5 * (asked + line_->Now()), {SignedAt(data, 0), SignedAt(data, 4)}};
+  FailIfRestarted();
+  return counts;
 }
 
 Pair Motors::MeasuredSpeeds() {

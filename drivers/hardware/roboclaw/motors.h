@@ -50,7 +50,9 @@ std::int32_t CountsBetween(std::int32_t before, std::int32_t after);
 
 /// A RoboClaw board with two motors and encoders on a line. Whatever becomes of this program, the board
 /// stops the motors when it has heard nothing for the timeout. Each call throws an Error with a sentence
-/// where the board does not answer.
+/// where the board does not answer. A board that was without power for a moment has forgotten its timeout
+/// and its counts: before speeds are set and after counts are read it is asked for the timeout, and if that
+/// is lost, it is set again, and the call throws an Error once.
 class Motors {
  public:
   Motors(std::unique_ptr<ByteStream> line, const MotorsOptions& options);
@@ -80,6 +82,7 @@ class Motors {
   void Tell(Code code, const Bytes& data);
   [[noreturn]] void FailSilent() const;
   std::uint8_t TimeoutNumber() const;
+  void FailIfRestarted();
   double Deadline(std::size_t bytes) const;
 
   std::unique_ptr<ByteStream> line_;

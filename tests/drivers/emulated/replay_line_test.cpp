@@ -29,8 +29,7 @@ TEST(ReplayedLine, GivesTheSameSweepsToTheLastBit) {
   auto recording = std::make_unique<RecordingStream>(
       std::move(line), [&](const LineRecord& record) { records.push_back(record); });
   const std::vector<Lms200Sweep> live = TakeSome(std::move(recording), 1000);
-  const std::vector<Lms200Sweep> again =
-      TakeSome(std::make_unique<RecordedStream>("recording", 0.0, records), 1000);
+  const std::vector<Lms200Sweep> again = TakeSome(std::make_unique<RecordedStream>(records), 1000);
   ASSERT_EQ(again.size(), live.size());
   for (std::size_t i = 0; i < live.size(); ++i) {
     EXPECT_EQ(again[i].sweep.stamp, live[i].sweep.stamp);

@@ -57,21 +57,24 @@ class Recorded : public testing::Test {
 };
 
 TEST_F(Recorded, AnswersAsTheLineDid) {
-  ASSERT_EQ(records_.size(), 4U);
+  ASSERT_EQ(records_.size(), 5U);
   EXPECT_EQ(live_, (std::vector<double>{3.0, 11, 21, 3.375, 4.375, 38400}));
-  RecordedStream again("successor", 3.0, records_);
+  RecordedStream again(records_);
   EXPECT_EQ(Converse(again, 10), live_);
   EXPECT_EQ(again.left(), 0U);
+  EXPECT_EQ(again.name(), "successor");
 }
 
 TEST_F(Recorded, FailsWhereTheCallerDoesSomethingElse) {
-  RecordedStream other_bytes("successor", 3.0, records_);
+  RecordedStream other_bytes(records_);
   EXPECT_THROW(Converse(other_bytes, 11), Error);
-  RecordedStream other_call("successor", 3.0, records_);
+  RecordedStream other_call(records_);
   EXPECT_THROW(other_call.Read(9.0), Error);
-  RecordedStream other_rate("successor", 3.0, records_);
+  RecordedStream other_rate(records_);
   EXPECT_THROW(other_rate.SetBaud(9600), Error);
-  RecordedStream longer("successor", 3.0, records_);
+  EXPECT_THROW(RecordedStream({}), Error);
+  EXPECT_THROW(RecordedStream({records_[1]}), Error);
+  RecordedStream longer(records_);
   Converse(longer, 10);
   EXPECT_THROW(longer.Read(99.0), Error);
 }
