@@ -60,7 +60,7 @@ struct EmulatedLms200Options {
 /// lost.
 /// - Mode 0x2A sends each turn with the offsets 0, 0.25, 0.5, 0.75 deg in turn, whatever the resolution;
 /// 0x2B
-///   n sends n of them and falls silent. Modes 0x29 to 0x2E other than these are refused.
+///   n sends n of them and falls silent. Mode 0x29 is answered like 0x27; 0x2C and 0x2E are refused.
 /// - A sweep asked for is the next one to end. Sweeps follow each other from when the device is ready.
 /// - The variant after power-on is 180 deg in steps of 0.5 deg.
 /// - Echoes beyond the largest distance, and those that do not come, are 0x1FF7, above the maximum.
@@ -82,7 +82,6 @@ class EmulatedLms200 : public EmulatedDevice {
   lms200::Mode mode() const { return mode_; }
   const lms200::Variant& variant() const { return variant_; }
   const lms200::Config& config() const { return config_; }
-  double first_turn() const { return ready_at_; }  // when the mirror began its turn 0 [s]
   int config_writes() const { return config_writes_; }
 
  private:

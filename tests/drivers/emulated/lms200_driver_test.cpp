@@ -39,6 +39,8 @@ TEST(Lms200Driver, StreamsEachVariantWithRightRangesAndTimes) {
     Lms200Bench bench(With(field_of_view, resolution, baud));
     EXPECT_EQ(bench.driver->beams(), beams);
     ExpectRightSweeps(bench, 30);
+    const double first_angle = bench.driver->scanner().first_angle;  // 0 or 40 deg; a turn may be offset
+    EXPECT_NEAR(bench.log.first_angles.back(), first_angle, beams == 721 ? 0.0132 : 1e-9);
     EXPECT_EQ(bench.driver->counters().recoveries, 0U);
     EXPECT_EQ(bench.driver->counters().link.bad_checksums, 0U);
   }
