@@ -17,12 +17,27 @@ bool HasStoodAt(std::span<const slam::Pose2> T_map_bases, const Eigen::Vector2d&
   });
 }
 
-/// The centres of the occupied cells.
+bool IsOccupied(const slam::OccupancyGrid& grid, std::size_t column, std::size_t row) {
+  return grid.At(column, row) == slam::Occupancy::kOccupied;
+}
+
+/// Whether all around a cell is occupied too, so that nothing can get to it without touching others.
+bool IsInside(const slam::OccupancyGrid& grid, std::size_t column, std::size_t row) {
+  if (column == 0 || row == 0 || column + 1 == grid.columns || row + 1 == grid.rows) return false;
+  for (std::size_t r = row - 1; r <= row + 1; ++r) {
+    for (std::size_t c = column - 1; c <= column + 1; ++c) {
+      if (!IsOccupied(grid, c, r)) return false;
+    }
+  }
+  return true;
+}
+
+/// The centres of the occupied cells, but for those inside of what is occupied.
 std::vector<Eigen::Vector2d> OccupiedPlaces(const slam::OccupancyGrid& grid) {
   std::vector<Eigen::Vector2d> places;
   for (std::size_t row = 0; row < grid.rows; ++row) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
-      if (grid.At(column, row) != slam::Occupancy::kOccupied) continue;
+      if (!IsOccupied(grid, column, row) || IsInside(grid, column, row)) continue;
       const Eigen::Vector2d cell(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
       places.emplace_back(grid.origin_map + grid.resolution * cell);
     }
