@@ -39,7 +39,8 @@ int Main(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_help_all_flag("--help-all", "Help of all commands");
   app.footer(
-      "Example:\n  ariadne explore --out results/first\n  ariadne register scans/ --out results/second\n\nariadne COMMAND --help tells more.");
+      "Example:\n  ariadne explore --out results/first\n  ariadne register scans/ --out "
+      "results/second\n\nariadne COMMAND --help tells more.");
   int status = 0;
   ariadne::experiments::AddExploreCommand(app, status);
   ariadne::experiments::AddRegisterCommand(app, status);

@@ -49,7 +49,8 @@ void Wheels::Command(const Velocity& target) {
 
 WheelStep Wheels::Accelerate(double duration) {
   const Ramp forward = Approach(velocity_.forward, target_.forward, options_.acceleration, duration);
-  const Ramp turning = Approach(velocity_.turning, target_.turning, options_.turning_acceleration, duration);
+  const Ramp turning =
+      Approach(velocity_.turning, target_.turning, options_.turning_acceleration, duration);
   velocity_ = {forward.speed, turning.speed};
   WheelStep step;
   step.encoded = control::WheelsOf(forward.way, turning.way, drawing_.track);

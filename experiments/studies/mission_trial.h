@@ -5,8 +5,8 @@
 
 #include "experiments/mission/mission_world.h"
 #include "experiments/mission/simulated_mission.h"
-#include "experiments/run/run_directory.h"
 #include "experiments/report/table.h"
+#include "experiments/run/run_directory.h"
 
 namespace ariadne::experiments {
 

@@ -75,9 +75,10 @@ struct ViewPlannerOptions {
           "that "
           "it counts again. Windows and halls wider than the range promise the same gain for ever; 1000: "
           "always, as the paper has no such rule");
-    visit("min_opening", self.min_opening, Unit("m"), Range{0.0, 100.0},
-          "length of unseen edges in a row, below which they do not count: the side of a door frame, or what "
-          "noise leaves of a wall. The paper has no such rule (0)");
+    visit(
+        "min_opening", self.min_opening, Unit("m"), Range{0.0, 100.0},
+        "length of unseen edges in a row, below which they do not count: the side of a door frame, or what "
+        "noise leaves of a wall. The paper has no such rule (0)");
     visit("refined", self.refined, Unit(""), Range{0, 100000},
           "further candidates around the chosen one, of which the best is taken: a step to the side in a "
           "doorway shows a whole room. The paper has none (0)");

@@ -75,8 +75,8 @@ struct AlignData {
 
 AlignData PrepareData(const PointCloud& data, const AlignOptions& options);
 
-/// Iterative closest points (Sec. 3.1): moves data onto model, starting from a guess, which with guess_share
-/// also counts beside the pairs. `on_iteration`, if given, is called after each iteration.
+/// Iterative closest points (Sec. 3.1): moves data onto model, starting from a guess, which with
+/// guess_share also counts beside the pairs. `on_iteration`, if given, is called after each iteration.
 AlignResult Align(const AlignModel& model, const AlignData& data, const Pose3& T_model_data_guess,
                   const AlignOptions& options,
                   const std::function<void(const AlignIteration&)>& on_iteration = {});

@@ -10,8 +10,8 @@ using testing::HasSubstr;
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("explore", "register", "optimize", "run", "convert", "info", "config",
-                                         "simulate", "extract", "map", "export", "view"),
+                         testing::Values("explore", "register", "optimize", "run", "convert", "info",
+                                         "config", "simulate", "extract", "map", "export", "view"),
                          [](const auto& name) { return name.param; });
 
 TEST_P(Help, EndsWithAnExample) {
@@ -53,9 +53,10 @@ TEST_F(ConfigCommand, PrintsThatOfEachExperiment) {
   EXPECT_THAT(Must("config table_1 --describe"), HasSubstr("\nrepeats = 5\n"));
   const Ended unknown = Ariadne("config table_2");
   EXPECT_EQ(unknown.status, 1);
-  EXPECT_THAT(unknown.err, testing::StartsWith(
-                               "ariadne: there is no experiment 'table_2'; there are register, "
-                               "explore, optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
+  EXPECT_THAT(unknown.err,
+              testing::StartsWith(
+                  "ariadne: there is no experiment 'table_2'; there are register, "
+                  "explore, optimize, posegraph_benchmark, extract, map, plan, simulate, table_1, "));
 }
 
 }  // namespace
