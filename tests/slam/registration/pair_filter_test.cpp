@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "slam/registration/align.h"
 #include "tests/support/random_geometry.h"
 
@@ -72,8 +74,10 @@ TEST(PairFilter, KeepsWhatTheOptionsAskFor) {
 void AddRectangle(RandomStream& stream, const Eigen::Vector3d& corner, const Eigen::Vector3d& u,
                   const Eigen::Vector3d& v, std::vector<Eigen::Vector3d>& points) {
   const auto count = static_cast<std::size_t>(60.0 * u.norm() * v.norm());
-  for (std::size_t i = 0; i < count; ++i)
-    points.emplace_back(corner + DrawUniform(stream, 0.0, 1.0) * u + DrawUniform(stream, 0.0, 1.0) * v);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double along_u = DrawUniform(stream, 0.0, 1.0), along_v = DrawUniform(stream, 0.0, 1.0);
+    points.emplace_back(corner + along_u * u + along_v * v);
+  }
 }
 
 /// Two rooms that share a wall of 12 cm, as a scanner in the room before (x < 0) or behind the wall sees
@@ -100,17 +104,25 @@ INSTANTIATE_TEST_SUITE_P(Metrics, ThinWall,
 TEST_P(ThinWall, KeepsItsThicknessIfItsSidesAreNotPaired) {
   const Pose3 T_map_model{ExpSo3({0.0, 0.0, 0.4}), {-2.0, 0.5, 1.0}};
   const Pose3 T_map_data{ExpSo3({0.0, 0.0, 2.9}), {2.0, -0.5, 1.0}};
-  const PointCloud model = ScanOfRoom(T_map_model, true, 1), data = ScanOfRoom(T_map_data, false, 2);
   const Pose3 truth = T_map_model.Inverse() * T_map_data;
   AlignOptions options;
   options.metric = GetParam();
   options.max_distance = 0.2;
-  const auto error = [&](bool one_sided) {
-    options.one_sided = one_sided;
-    return TranslationDistance(Align(model, data, truth, options).T_model_data, truth);
-  };
-  EXPECT_GT(error(false), 0.03) << "the wall is pressed thin";
-  EXPECT_LT(error(true), 0.01);
+  std::vector<double> pressed, kept;
+  for (std::uint64_t seed = 2; seed < 12; seed += 2) {
+    const PointCloud model = ScanOfRoom(T_map_model, true, seed);
+    const PointCloud data = ScanOfRoom(T_map_data, false, seed + 1);
+    const auto error = [&](bool one_sided) {
+      options.one_sided = one_sided;
+      return TranslationDistance(Align(model, data, truth, options).T_model_data, truth);
+    };
+    pressed.push_back(error(false));
+    kept.push_back(error(true));
+  }
+  std::ranges::sort(kept);
+  EXPECT_GT(*std::ranges::min_element(pressed), 0.05) << "the wall is pressed thin";
+  EXPECT_LT(kept[2], 0.015) << "the median; random points hold little along the wall";
+  EXPECT_LT(kept.back(), 0.05);
 }
 
 }  // namespace
