@@ -1,7 +1,6 @@
 // A mission that is killed at any moment goes on to the same map; a full disk ends it and says so.
 #include <gmock/gmock.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -47,16 +46,8 @@ integrate: false
   }
 
   /// Starts the command, and kills it after a time, if it has not ended before.
-  bool KillAfter(std::chrono::milliseconds time, std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), ARIADNE_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-      if (chdir(folder_.path().c_str()) == 0) execv(argv[0], argv.data());
-      _exit(127);
-    }
+  bool KillAfter(std::chrono::milliseconds time, const std::vector<std::string>& arguments) const {
+    const pid_t child = Start(arguments);
     std::this_thread::sleep_for(time);
     kill(child, SIGKILL);
     int status = 0;

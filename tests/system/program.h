@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <map>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "tests/slam/io/support.h"
 
@@ -38,6 +40,19 @@ class ProgramTest : public testing::Test {
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), Content(".out"),
             Content(".err")};
+  }
+  /// Starts the program in the folder, without a shell between, so that it can be killed.
+  pid_t Start(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), ARIADNE_PROGRAM);
+    std::vector<char*> argv;
+    for (std::string& argument : arguments) argv.push_back(argument.data());
+    argv.push_back(nullptr);
+    const pid_t child = fork();
+    if (child == 0) {
+      if (chdir(folder_.path().c_str()) == 0) execv(argv[0], argv.data());
+      _exit(127);
+    }
+    return child;
   }
   Ended Ariadne(const std::string& arguments) const { return Shell("ariadne " + arguments); }
   /// Runs what must succeed for the test to make sense.

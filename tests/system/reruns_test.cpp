@@ -1,7 +1,6 @@
 // The same config gives the same bytes: again, on its resolved form, with more threads, after a kill.
 #include <gmock/gmock.h>
 #include <signal.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -63,16 +62,8 @@ class Killed : public ProgramTest {
     return nlohmann::json::parse(Content("killed/progress.json"), nullptr, false);
   }
   /// Starts the command, and kills it as soon as so many scans are done.
-  void KillAfter(int done, std::vector<std::string> arguments) const {
-    arguments.insert(arguments.begin(), ARIADNE_PROGRAM);
-    std::vector<char*> argv;
-    for (std::string& argument : arguments) argv.push_back(argument.data());
-    argv.push_back(nullptr);
-    const pid_t child = fork();
-    if (child == 0) {
-      if (chdir(folder_.path().c_str()) == 0) execv(argv[0], argv.data());
-      _exit(127);
-    }
+  void KillAfter(int done, const std::vector<std::string>& arguments) const {
+    const pid_t child = Start(arguments);
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {
       const nlohmann::json progress = Progress();

@@ -2,20 +2,12 @@
 #include <gtest/gtest.h>
 
 #include "tests/drivers/emulated/lms200_bench.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
 
 using testing::HasSubstr;
-
-std::string ErrorOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 void ExpectRightSweeps(Lms200Bench& bench, int count) {
   bench.driver->StartStream();

@@ -7,7 +7,7 @@
 
 #include "drivers/emulated/emulated_line.h"
 #include "drivers/emulated/emulated_motors.h"
-#include "slam/base/error.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -16,15 +16,6 @@ using roboclaw::EncoderCounts;
 using roboclaw::Motors;
 using roboclaw::MotorsOptions;
 using testing::HasSubstr;
-
-std::string ErrorOfMotors(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 struct MotorsBench {
   explicit MotorsBench(const MotorsOptions& options = {}) {
@@ -98,7 +89,7 @@ TEST(Motors, SayWhenTheyWereWithoutPower) {
         bench.motors->SetSpeeds({1000.0, 1000.0}, 100000.0);
       }
     };
-    EXPECT_THAT(ErrorOfMotors(call), HasSubstr("without power"));
+    EXPECT_THAT(ErrorOf(call), HasSubstr("without power"));
     EXPECT_EQ(bench.device.speeds()[0], 0.0);
     EXPECT_EQ(bench.motors->Encoders().counts[0], 0);  // said once
   }
@@ -120,7 +111,7 @@ TEST(Motors, AreNotSentBeyondTheirLimits) {
   options.max_speed = 2000.0;
   MotorsBench bench(options);
   bench.motors->Connect();
-  EXPECT_THAT(ErrorOfMotors([&] { bench.motors->SetSpeeds({2001.0, 0.0}, 1.0); }), HasSubstr("2000"));
+  EXPECT_THAT(ErrorOf([&] { bench.motors->SetSpeeds({2001.0, 0.0}, 1.0); }), HasSubstr("2000"));
   EXPECT_THROW(bench.motors->SetSpeeds({std::nan(""), 0.0}, 1.0), Error);
   EXPECT_THROW(bench.motors->SetSpeeds({0.0, 0.0}, 0.0), Error);
 }
@@ -139,7 +130,7 @@ TEST(Motors, SayWhatIsWrong) {
   MotorsOptions options;
   options.address = 0x81;
   MotorsBench other(options);
-  EXPECT_THAT(ErrorOfMotors([&] { other.motors->Connect(); }), HasSubstr("address 129"));
+  EXPECT_THAT(ErrorOf([&] { other.motors->Connect(); }), HasSubstr("address 129"));
 }
 
 /// No fault on the line makes wrong counts or a wrong speed.

@@ -7,7 +7,7 @@
 
 #include "drivers/emulated/emulated_line.h"
 #include "drivers/emulated/emulated_servo.h"
-#include "slam/base/error.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -16,15 +16,6 @@ using dynamixel::Servo;
 using dynamixel::ServoOptions;
 using dynamixel::ServoState;
 using testing::HasSubstr;
-
-std::string ErrorOfServo(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 struct ServoBench {
   explicit ServoBench(const ServoOptions& options = {}, const EmulatedServoOptions& device_options = {})
@@ -92,7 +83,7 @@ TEST(Servo, StaysWithinWhatTheMountBears) {
   ServoBench bench(options);
   bench.servo->Connect();
   bench.servo->SetTorque(true);
-  EXPECT_THAT(ErrorOfServo([&] { bench.servo->MoveTo(0.9); }), HasSubstr("0.8"));
+  EXPECT_THAT(ErrorOf([&] { bench.servo->MoveTo(0.9); }), HasSubstr("0.8"));
   EXPECT_THROW(bench.servo->MoveTo(std::nan("")), Error);
   EXPECT_THROW(bench.servo->SetProfile(0.0, 1.0), Error);
   EXPECT_NEAR(bench.TrueAngle(), 0.0, 1e-9);
@@ -104,22 +95,21 @@ TEST(Servo, SaysWhenItIsStuck) {
   bench.servo->SetTorque(true);
   bench.device.SetStuck(true);
   bench.servo->MoveTo(0.5);
-  EXPECT_THAT(ErrorOfServo([&] { bench.servo->WaitFor(0.5, 0.01, 2.0); }),
-              HasSubstr("what holds its mount"));
+  EXPECT_THAT(ErrorOf([&] { bench.servo->WaitFor(0.5, 0.01, 2.0); }), HasSubstr("what holds its mount"));
   EXPECT_EQ(bench.servo->HardwareError(), "overload");
-  EXPECT_THAT(ErrorOfServo([&] { bench.servo->MoveTo(0.2); }), HasSubstr("overload"));
-  EXPECT_THAT(ErrorOfServo([&] { bench.servo->Connect(); }), HasSubstr("overload"));
+  EXPECT_THAT(ErrorOf([&] { bench.servo->MoveTo(0.2); }), HasSubstr("overload"));
+  EXPECT_THAT(ErrorOf([&] { bench.servo->Connect(); }), HasSubstr("overload"));
 }
 
 TEST(Servo, SaysWhenThereIsNone) {
   ServoOptions options;
   options.id = 7;
   ServoBench other_id(options);
-  EXPECT_THAT(ErrorOfServo([&] { other_id.servo->Connect(); }), HasSubstr("servo 7"));
+  EXPECT_THAT(ErrorOf([&] { other_id.servo->Connect(); }), HasSubstr("servo 7"));
   options.id = 1;
   options.baud = 1000000;
   ServoBench other_rate(options);
-  EXPECT_THAT(ErrorOfServo([&] { other_rate.servo->Connect(); }), HasSubstr("1000000 baud"));
+  EXPECT_THAT(ErrorOf([&] { other_rate.servo->Connect(); }), HasSubstr("1000000 baud"));
 }
 
 /// No fault on the line makes a wrong angle; what is recoverable is recovered by asking again.

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "slam/base/error.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -50,15 +50,6 @@ class SerialPortTest : public testing::Test {
   int device_ = -1;
   std::string path_;
 };
-
-std::string ErrorOf(const std::function<void()>& call) {
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST_F(SerialPortTest, CarriesAllBytesBothWaysUnchanged) {
   const std::unique_ptr<ByteStream> port = OpenSerialPort(path_, 38400);
