@@ -55,6 +55,7 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddPlanCommand(app);
   ariadne::experiments::AddExportCommand(app);
   ariadne::experiments::AddViewCommand(app);
+  ariadne::experiments::AddDevicesCommand(app, status);
   try {
     if (argc > 1 && argv[1][0] != '-') RequireKnownCommand(app, argv[1]);
     app.parse(argc, argv);

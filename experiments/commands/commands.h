@@ -19,5 +19,6 @@ void AddExtractCommand(CLI::App& app);
 void AddMapCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
+void AddDevicesCommand(CLI::App& app, int& status);
 
 }  // namespace ariadne::experiments
