@@ -20,5 +20,6 @@ void AddMapCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
 void AddDevicesCommand(CLI::App& app, int& status);
+void AddLogCommand(CLI::App& app);
 
 }  // namespace ariadne::experiments

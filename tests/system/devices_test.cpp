@@ -6,6 +6,7 @@
 #include "drivers/emulated/emulated_motors.h"
 #include "drivers/emulated/emulated_servo.h"
 #include "drivers/emulated/pty_server.h"
+#include "tests/experiments/field/recorded_devices.h"
 #include "tests/system/program.h"
 
 namespace ariadne {
@@ -39,6 +40,26 @@ TEST_F(Devices, ThatAreNotThereAreASentenceAndStatusOne) {
 
 TEST_F(Devices, OfThisComputerAreListedWithoutArguments) {
   EXPECT_THAT(Must("devices -q"), testing::AnyOf(HasSubstr("no serial ports"), HasSubstr("it says")));
+}
+
+using LineLogs = ProgramTest;
+
+TEST_F(LineLogs, AreShownAndTakenApart) {
+  {
+    experiments::RecordedDevices devices(folder_ / "lines");
+    devices.motors.Connect();
+    devices.motors.Encoders();
+  }
+  EXPECT_THAT(Must("log info lines"), AllOf(HasSubstr("whole to its end"), HasSubstr("RoboClaw")));
+  EXPECT_EQ(Must("log info ."), Must("log info ./lines.000"));
+  Must("log export lines --to telegrams");
+  EXPECT_THAT(Content("lines.telegrams.txt"), HasSubstr(" 2 > ask for the version\n"));
+  EXPECT_EQ(Must("log export lines --to odometry --out counts.csv"), "counts.csv: 1 readings\n");
+  EXPECT_EQ(Ariadne("log export lines --to xyz").err, "ariadne: lines: holds no sweeps of a scanner\n");
+  EXPECT_EQ(Ariadne("log info none").err,
+            "ariadne: none: there is no such log or folder; check the path\n");
+  EXPECT_EQ(Ariadne("log export lines --to las").status, 2);
+  EXPECT_EQ(Ariadne("log").status, 2);
 }
 
 }  // namespace
