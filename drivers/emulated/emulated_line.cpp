@@ -10,7 +10,10 @@ bool LastsLong(const LineFault& fault) { return fault.kind == LineFault::Kind::k
 }  // namespace
 
 EmulatedLine::EmulatedLine(EmulatedDevice& device, const EmulatedLineOptions& options)
-    : device_(device), options_(options), noise_(NamedStream(options.seed, "emulated line/noise")) {}
+    : device_(device),
+      options_(options),
+      noise_(NamedStream(options.seed, "emulated line/noise")),
+      time_(options.time ? options.time : std::make_shared<VirtualTime>()) {}
 
 void EmulatedLine::Inject(const LineFault& fault) { faults_.push_back(fault); }
 
@@ -41,8 +44,14 @@ void EmulatedLine::GoTo(double time) {
     Collect(request.time);
     device_.Receive(request.bytes, request.baud, request.time);
   }
-  Collect(time);
-  now_ = std::max(now_, time);
+  Collect(std::max(told_, time));
+  told_ = std::max(told_, time);
+}
+
+/// The host waits to a time.
+void EmulatedLine::WaitTo(double time) {
+  GoTo(time);
+  time_->now = std::max(time_->now, time);
 }
 
 /// Takes what the device sends until `time` and does to it what the line does.
@@ -95,7 +104,7 @@ std::vector<LineFault> EmulatedLine::FaultsOfByte(double time, bool to_device) {
 
 Bytes EmulatedLine::TakeArrived() {
   Bytes bytes;
-  while (!arrivals_.empty() && arrivals_.front().time <= now_) {
+  while (!arrivals_.empty() && arrivals_.front().time <= time_->now) {
     bytes.push_back(arrivals_.front().byte);
     arrivals_.pop_front();
   }
@@ -103,17 +112,18 @@ Bytes EmulatedLine::TakeArrived() {
 }
 
 Bytes EmulatedLine::Read(double deadline) {
-  const auto has_arrived = [this] { return !arrivals_.empty() && arrivals_.front().time <= now_; };
-  deadline = std::max(deadline, now_);
-  GoTo(now_);
-  while (!has_arrived() && now_ < deadline) GoTo(std::min(deadline, std::max(now_, NextTime())));
-  if (has_arrived()) GoTo(std::min(deadline, now_ + options_.chunk_time));
+  const auto has_arrived = [this] { return !arrivals_.empty() && arrivals_.front().time <= time_->now; };
+  deadline = std::max(deadline, time_->now);
+  GoTo(time_->now);
+  while (!has_arrived() && time_->now < deadline)
+    WaitTo(std::min(deadline, std::max(time_->now, NextTime())));
+  if (has_arrived()) WaitTo(std::min(deadline, time_->now + options_.chunk_time));
   return TakeArrived();
 }
 
 void EmulatedLine::Write(ByteView bytes) {
   const double byte_time = 10.0 / baud_;
-  double at = std::max(now_, sent_until_);
+  double at = std::max(time_->now, sent_until_);
   Request request{at, baud_, {}};
   for (std::uint8_t byte : bytes) {
     at += byte_time;
@@ -133,7 +143,7 @@ void EmulatedLine::Write(ByteView bytes) {
 }
 
 void EmulatedLine::SetBaud(int baud) {
-  GoTo(std::max(now_, sent_until_));
+  WaitTo(std::max(time_->now, sent_until_));
   arrivals_.clear();
   baud_ = baud;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -11,9 +12,16 @@
 
 namespace ariadne::drivers {
 
+/// The time of a host that talks over several lines: it goes on on all of them.
+struct VirtualTime {
+  double now = 0.0;  // [s]
+};
+
 struct EmulatedLineOptions {
-  double chunk_time = 0.001;  // what arrives within it is read at once, as from an adapter [s]
-  std::uint64_t seed = 1;     // of the noise that bytes of another rate become
+  std::string name = "an emulated line";
+  double chunk_time = 0.001;          // what arrives within it is read at once, as from an adapter [s]
+  std::uint64_t seed = 1;             // of the noise that bytes of another rate become
+  std::shared_ptr<VirtualTime> time;  // of all lines of a host; none: its own
 };
 
 /// The host's end of a line to an emulated device, in virtual time: it goes on while the host reads,
@@ -26,8 +34,13 @@ class EmulatedLine : public ByteStream {
   void Inject(const LineFault& fault);
   std::size_t pending_faults() const { return faults_.size(); }
 
-  std::string name() const override { return "an emulated line"; }
-  double Now() const override { return now_; }
+  std::string name() const override { return options_.name; }
+  double Now() const override { return time_->now; }
+
+  /// Lets the device live up to a time that the host has not reached yet, because another device, to which
+  /// it is coupled, is there already. The host cannot write before, as it waits for that other one.
+  void CatchUp(double time) { GoTo(time); }
+
   Bytes Read(double deadline) override;
   void Write(ByteView bytes) override;
   void SetBaud(int baud) override;
@@ -46,6 +59,7 @@ class EmulatedLine : public ByteStream {
 
   double NextTime() const;
   void GoTo(double time);
+  void WaitTo(double time);
   void Collect(double time);
   void Arrive(double time, std::uint8_t byte);
   Bytes TakeArrived();
@@ -55,7 +69,8 @@ class EmulatedLine : public ByteStream {
   EmulatedDevice& device_;
   EmulatedLineOptions options_;
   RandomStream noise_;
-  double now_ = 0.0;
+  std::shared_ptr<VirtualTime> time_;
+  double told_ = 0.0;  // to the device [s]
   int baud_ = 9600;
   std::deque<Arrival> arrivals_;
   std::deque<Request> requests_;

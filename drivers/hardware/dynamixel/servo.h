@@ -58,7 +58,7 @@ struct ServoOptions {
 
 /// Where a servo is, measured by itself.
 struct ServoState {
-  double time = 0.0;      // between request and reply [s]
+  double time = 0.0;      // between the end of the request and the begin of the reply [s]
   double angle = 0.0;     // [rad]
   double velocity = 0.0;  // [rad/s]
 };
