@@ -60,7 +60,9 @@ bool GuardedRobot::IsBlind() const {
 void GuardedRobot::RefreshSensors() {
   if (options_.sensor_timeout == 0.0 || robot_.Now() - newest_sweep_ < 0.5 * options_.sensor_timeout)
     return;
-  for (const SafetySweep& sweep : robot_.TakeSafetySweeps()) NoteSweep(sweep.sweep);
+  const std::vector<SafetySweep> sweeps = robot_.TakeSafetySweeps();
+  for (const SafetySweep& sweep : sweeps) NoteSweep(sweep.sweep);
+  if (sweeps.empty()) NoteSweep(robot_.TakeSweep());  // a robot without safety scanners
 }
 
 void GuardedRobot::NoteSweep(const slam::LaserSweep& sweep) {

@@ -36,19 +36,24 @@ class LoggedSimulation {
     }
     log_ = std::make_unique<drivers::RobotLogWriter>(path);
     if (old_) {
-      robot_ = std::make_unique<drivers::ReplayRobot>(
+      auto replay = std::make_unique<drivers::ReplayRobot>(
           *old_, drivers::LiveRobot{[&robot]() -> drivers::Robot& { return robot; }, drivers::Seam::kNone,
                                     log_.get()});
+      replay_ = replay.get();
+      robot_ = std::move(replay);
     } else {
       robot_ = std::make_unique<drivers::RecordingRobot>(robot, *log_);
     }
   }
   drivers::LoggedRobot& robot() { return *robot_; }
+  /// What is decided now was decided before, and has been done.
+  bool IsReplayed() const { return replay_ != nullptr && replay_->Replayed(); }
 
  private:
   std::unique_ptr<drivers::RobotLog> old_;
   std::unique_ptr<drivers::RobotLogWriter> log_;
   std::unique_ptr<drivers::LoggedRobot> robot_;
+  const drivers::ReplayRobot* replay_ = nullptr;
 };
 
 /// Each scan is a file of its own before the robot drives on.
@@ -89,7 +94,8 @@ void CheckExplore(const ExploreStudyOptions& options) {
 }
 
 std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
-                       ProgressDisplay& progress, const std::function<bool()>& stop) {
+                       ProgressDisplay& progress, const std::function<bool()>& stop,
+                       const std::function<bool(const PlannedDrive&)>& approve) {
   WriteManifest(run, {});
   progress.Show("what there is to see");
   const MissionWorld world = PrepareMissionWorld(LoadExploreWorld(options), options.robot, options.scanner,
@@ -104,15 +110,23 @@ std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& r
   UnloggedEnd driven(logged.robot(), robot);
   StepKeeper steps(run);
   std::size_t stops = 0;
+  bool rejected = false;
+  const auto stopped = driven.Latched([&] { return rejected || (stop && stop()); });
+  MissionEvents events = EventsOf(run, progress, logged.robot(), steps, stopped);
+  events.approve = [&](const PlannedDrive& drive) {
+    if (!approve || logged.IsReplayed()) return true;
+    rejected = !approve(drive);
+    return !stopped();
+  };
   const auto on_true_stop = [&](const MissionStop& at, const TrueStop& truth) {
     progress.Keep(StopLine(stops++, at, truth));
   };
-  const SimulatedMission mission = RunSimulatedMission(
-      robot, driven, world.floor, options.scanner, mission_options, seed,
-      EventsOf(run, progress, logged.robot(), steps, driven.Latched(stop)), on_true_stop);
+  const SimulatedMission mission = RunSimulatedMission(robot, driven, world.floor, options.scanner,
+                                                       mission_options, seed, events, on_true_stop);
   progress.Show("the report");
   std::string text = ReportExploration(mission, world, run, Parallel(options.threads));
-  if (mission.mission.end == MissionEnd::kStopped) {
+  const bool called_off = mission.mission.end == MissionEnd::kRejected && stop && stop();
+  if (mission.mission.end == MissionEnd::kStopped || called_off) {
     run.WriteProgress("stopped", stops, 0);
     return text + "stopped; --resume goes on from here\n";
   }

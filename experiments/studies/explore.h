@@ -46,8 +46,10 @@ void CheckExplore(const ExploreStudyOptions& options);
 
 /// Explores, with every answer of the robot on robot.log and every scan in scans/ before the next step; a
 /// run that was killed repeats its decisions from the log and goes on where it was. `stop` is asked before
-/// each command of the robot. Returns what to print.
+/// each command of the robot, and `approve` before each drive that is not on the log already; false ends
+/// the mission. Returns what to print.
 std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
-                       ProgressDisplay& progress, const std::function<bool()>& stop = {});
+                       ProgressDisplay& progress, const std::function<bool()>& stop = {},
+                       const std::function<bool(const PlannedDrive&)>& approve = {});
 
 }  // namespace ariadne::experiments

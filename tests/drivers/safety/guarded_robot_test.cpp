@@ -34,7 +34,10 @@ class FakeRobot : public Robot {
     if (now > scanner_throws_from) Fail("the scanner does not answer");
     return {std::min(now, scanner_lives_until), 0.0, 0.0, {1.0F}, {}};
   }
-  std::vector<SafetySweep> TakeSafetySweeps() override { return {{{}, {}, TakeSweep()}}; }
+  std::vector<SafetySweep> TakeSafetySweeps() override {
+    if (!has_safety_scanners) return {};
+    return {{{}, {}, TakeSweep()}};
+  }
   RobotState State() override {
     RobotState state;
     state.stamp = now;
@@ -61,6 +64,7 @@ class FakeRobot : public Robot {
   double scanner_lives_until = kNever;
   double scanner_throws_from = kNever;
   double motors_throw_from = kNever;
+  bool has_safety_scanners = true;
   int scans = 0;
   std::vector<Command> commands;
 };
@@ -133,6 +137,18 @@ TEST_F(GuardedRobotTest, StopsWhenNoSweepComesAnyMore) {
   EXPECT_THROW(guarded_.Drive({0.5, 0.0}), Error);
   robot_.scanner_lives_until = kNever;
   EXPECT_NO_THROW(guarded_.Drive({0.5, 0.0}));
+}
+
+TEST_F(GuardedRobotTest, LooksWithTheScannerWhereThereAreNoSafetyScanners) {
+  robot_.has_safety_scanners = false;
+  robot_.scanner_lives_until = 102.0;
+  for (int i = 0; i < 20; ++i) {
+    guarded_.Drive({0.5, 0.0});
+    guarded_.WaitUntil(guarded_.Now() + 0.1);
+  }
+  EXPECT_EQ(robot_.StoodFrom(), kNever);
+  guarded_.WaitUntil(103.0);
+  EXPECT_LE(robot_.StoodFrom(), 102.6);
 }
 
 TEST_F(GuardedRobotTest, DoesNotStartBlind) {
