@@ -57,6 +57,7 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddViewCommand(app);
   ariadne::experiments::AddDevicesCommand(app, status);
   ariadne::experiments::AddLogCommand(app);
+  ariadne::experiments::AddCalibrateCommand(app);
   try {
     if (argc > 1 && argv[1][0] != '-') RequireKnownCommand(app, argv[1]);
     app.parse(argc, argv);

@@ -21,5 +21,6 @@ void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
 void AddDevicesCommand(CLI::App& app, int& status);
 void AddLogCommand(CLI::App& app);
+void AddCalibrateCommand(CLI::App& app);
 
 }  // namespace ariadne::experiments
