@@ -124,7 +124,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
   held_map_.reset();
   if (options_.avoid_obstacles) {
     const drivers::Velocity velocity = robot_.State().velocity;
-    std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_);
+    std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_, localizer_.scanner());
     const std::size_t seen = points_base.size();
     if (known) {
       const std::vector<Eigen::Vector2d> more = KnownInTheWay();
@@ -282,7 +282,7 @@ DriveReport PathDrive::Run() {
     if (!gives_up && (!touches || held_at_start)) continue;
     report_.reason = Reason(gives_up);
     Halt();
-    if (!gives_up) held_by_base_ = ContactPlace(robot_, *wanted);
+    if (!gives_up) held_by_base_ = ContactPlace(robot_, localizer_.scanner(), *wanted);
     if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);
     BackOff();
     break;
