@@ -99,6 +99,7 @@ class PathDrive {
   const std::function<bool()>& stop_;
   slam::Pose2 advanced_to_;
   double advanced_at_ = 0.0;                     // [s]
+  double due_ = 0.0;                             // the next command: real robots take time to answer [s]
   std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
   std::vector<Eigen::Vector2d> known_map_;
   std::optional<Eigen::Vector2d> held_map_;  // that the scanners see, or the map knows
@@ -155,7 +156,10 @@ void PathDrive::NoteAdvance() {
 
 void PathDrive::Go(const control::DriveCommand& command) {
   robot_.Drive({command.forward, command.turning});
-  robot_.WaitUntil(robot_.Now() + options_.follow.period);
+  const double told = robot_.Now();
+  if (told > due_ + options_.follow.period) due_ = told;  // the first one, or a robot that was slow
+  due_ += options_.follow.period;
+  robot_.WaitUntil(due_);
   const slam::Pose2 now = localizer_.Update();
   const slam::Pose2& before = report_.poses_map.back();
   report_.length += (now.translation - before.translation).norm();
