@@ -17,8 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path FileOf(const fs::path& name, int number) { return fmt::format("{}.{:03}", name.string(), number); }
-
 Bytes ContentOfFile(const fs::path& path) {
   std::ifstream in(path, std::ios::binary);
   if (!in) Fail("{}: cannot be read; there is no such log", path.string());
@@ -51,15 +49,19 @@ bool BeginsLikeALog(const fs::path& path) {
 
 }  // namespace
 
+fs::path LineLogFile(const fs::path& name, int number) {
+  return fmt::format("{}.{:03}", name.string(), number);
+}
+
 LineLogWriter::LineLogWriter(fs::path name, std::uintmax_t max_file_size)
     : name_(std::move(name)), max_file_size_(max_file_size) {
-  if (fs::exists(FileOf(name_, 0)))
+  if (fs::exists(LineLogFile(name_, 0)))
     Fail("there is a log {} already; give the new one another name", name_.string());
   Open();
 }
 
 void LineLogWriter::Open() {
-  const fs::path path = FileOf(name_, files_++);
+  const fs::path path = LineLogFile(name_, files_++);
   file_.reset(std::fopen(path.c_str(), "wbx"));
   if (file_ == nullptr) Fail("{}: cannot be written: {}", path.string(), std::strerror(errno));
   size_ = 0;
@@ -69,7 +71,7 @@ void LineLogWriter::Open() {
 void LineLogWriter::Put(ByteView bytes) {
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) == bytes.size();
   if (!written || std::fflush(file_.get()) != 0) {
-    Fail("{}: cannot be written: {}; make room on the disk", FileOf(name_, files_ - 1).string(),
+    Fail("{}: cannot be written: {}; make room on the disk", LineLogFile(name_, files_ - 1).string(),
          std::strerror(errno));
   }
   size_ += bytes.size();
@@ -91,9 +93,9 @@ void LineLogWriter::Add(std::uint8_t line, const LineRecord& record) {
 LineLogFiles VisitLineLog(const fs::path& name, const std::function<void(const LoggedRecord&)>& visit) {
   LineLogFiles log;
   for (bool last = false; !last; ++log.files) {
-    const fs::path path = FileOf(name, log.files);
+    const fs::path path = LineLogFile(name, log.files);
     const Bytes content = ContentOfFile(path);
-    last = !fs::exists(FileOf(name, log.files + 1));
+    last = !fs::exists(LineLogFile(name, log.files + 1));
     LineLogDecoder decoder = DecoderOf(content, path);
     while (const std::optional<LoggedRecord> logged = decoder.Next()) {
       visit(*logged);
@@ -113,7 +115,7 @@ std::map<std::uint8_t, std::vector<LineRecord>> ReadLineLog(const fs::path& name
 }
 
 std::vector<fs::path> FindLineLogs(const fs::path& path) {
-  if (fs::exists(FileOf(path, 0))) return {path};
+  if (fs::exists(LineLogFile(path, 0))) return {path};
   if (fs::is_regular_file(path)) {
     if (const std::optional<fs::path> name = LogOfFile(path); name && BeginsLikeALog(path)) return {*name};
     Fail("{}: is no log of lines; its files are named NAME.000, NAME.001 ...", path.string());

@@ -38,6 +38,9 @@ class LineLogWriter {
   LineLogEncoder encoder_;
 };
 
+/// One of the files of a log, from 0 on.
+std::filesystem::path LineLogFile(const std::filesystem::path& name, int number);
+
 /// What a log is made of.
 struct LineLogFiles {
   int files = 0;

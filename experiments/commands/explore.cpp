@@ -42,6 +42,8 @@ ExploreStudyOptions ResolveExploreOptions(const ExploreArguments& arguments, con
   if (experiment && experiment->value != "explore")
     Fail("{}: the experiment is {}, not explore; use ariadne run", experiment->where, experiment->value);
   for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
+  if (const std::optional<OptionEntry> kind = entries.Take("robot"))
+    entries.Set("robot.kind=" + kind->value);
   return ReadOptions<ExploreStudyOptions>(entries);
 }
 

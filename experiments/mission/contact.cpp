@@ -9,6 +9,7 @@ namespace {
 constexpr double kNear = 0.1;                          // touches the outline, as scanners measure it [m]
 constexpr double kHalfLength = 0.4, kHalfWidth = 0.3;  // of the robot (Sec. 2.1) [m]
 constexpr double kBeyond = 0.05;                       // [m]
+constexpr double kJustNow = 0.001;                     // [s]
 
 /// How far a place is from the robot's outline; negative inside.
 double FromOutline(const Eigen::Vector2d& p_base) {
@@ -25,23 +26,38 @@ Eigen::Vector2d SideThatMoved(const control::DriveCommand& command) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> SafetyPoints(drivers::Robot& robot) {
+slam::Pose2 MovedSince(const slam::LaserSweep& sweep, const slam::ScannerModel& scanner,
+                       const drivers::RobotState& now) {
+  const double age = now.stamp - sweep.stamp - scanner.turn_period * scanner.turns_per_sweep;
+  if (std::abs(age) < kJustNow) return {};
+  return slam::Pose2::Exp({now.velocity.forward * age, 0.0, now.velocity.turning * age});
+}
+
+std::vector<Eigen::Vector2d> SafetyPoints(drivers::Robot& robot, const slam::ScannerModel& scanner) {
+  std::vector<drivers::SafetySweep> sweeps = robot.TakeSafetySweeps();
+  slam::Pose2 T_now_then;
+  if (sweeps.empty()) {
+    sweeps.push_back({robot.T_base_laser(), scanner, robot.TakeSweep()});
+    T_now_then = MovedSince(sweeps.back().sweep, scanner, robot.State()).Inverse();
+  }
   std::vector<Eigen::Vector2d> points_base;
-  for (const drivers::SafetySweep& sweep : robot.TakeSafetySweeps()) {
+  for (const drivers::SafetySweep& sweep : sweeps) {
     for (std::size_t i = 0; i < sweep.sweep.ranges.size(); ++i) {
       const double range = sweep.sweep.ranges[i];
       if (!(range > 0.0)) continue;
       const Eigen::Vector3d beam = slam::BeamDirection(sweep.scanner, i, sweep.sweep.pitch);
-      points_base.emplace_back((sweep.T_base_laser * (range * beam)).head<2>());
+      const Eigen::Vector2d p_then = (sweep.T_base_laser * (range * beam)).head<2>();
+      points_base.push_back(T_now_then * p_then);
     }
   }
   return points_base;
 }
 
-Eigen::Vector2d ContactPlace(drivers::Robot& robot, const control::DriveCommand& command) {
+Eigen::Vector2d ContactPlace(drivers::Robot& robot, const slam::ScannerModel& scanner,
+                             const control::DriveCommand& command) {
   Eigen::Vector2d contact = SideThatMoved(command);
   double nearest = kNear;
-  for (const Eigen::Vector2d& p_base : SafetyPoints(robot)) {
+  for (const Eigen::Vector2d& p_base : SafetyPoints(robot, scanner)) {
     if (FromOutline(p_base) >= nearest) continue;
     nearest = FromOutline(p_base);
     contact = p_base;

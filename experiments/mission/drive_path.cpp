@@ -99,6 +99,7 @@ class PathDrive {
   const std::function<bool()>& stop_;
   slam::Pose2 advanced_to_;
   double advanced_at_ = 0.0;                     // [s]
+  double due_ = 0.0;                             // the next command: real robots take time to answer [s]
   std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
   std::vector<Eigen::Vector2d> known_map_;
   std::optional<Eigen::Vector2d> held_map_;  // that the scanners see, or the map knows
@@ -124,7 +125,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
   held_map_.reset();
   if (options_.avoid_obstacles) {
     const drivers::Velocity velocity = robot_.State().velocity;
-    std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_);
+    std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_, localizer_.scanner());
     const std::size_t seen = points_base.size();
     if (known) {
       const std::vector<Eigen::Vector2d> more = KnownInTheWay();
@@ -155,7 +156,10 @@ void PathDrive::NoteAdvance() {
 
 void PathDrive::Go(const control::DriveCommand& command) {
   robot_.Drive({command.forward, command.turning});
-  robot_.WaitUntil(robot_.Now() + options_.follow.period);
+  const double told = robot_.Now();
+  if (told > due_ + options_.follow.period) due_ = told;  // the first one, or a robot that was slow
+  due_ += options_.follow.period;
+  robot_.WaitUntil(due_);
   const slam::Pose2 now = localizer_.Update();
   const slam::Pose2& before = report_.poses_map.back();
   report_.length += (now.translation - before.translation).norm();
@@ -282,7 +286,7 @@ DriveReport PathDrive::Run() {
     if (!gives_up && (!touches || held_at_start)) continue;
     report_.reason = Reason(gives_up);
     Halt();
-    if (!gives_up) held_by_base_ = ContactPlace(robot_, *wanted);
+    if (!gives_up) held_by_base_ = ContactPlace(robot_, localizer_.scanner(), *wanted);
     if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);
     BackOff();
     break;

@@ -5,6 +5,7 @@
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/run/progress_display.h"
 #include "experiments/run/run_directory.h"
+#include "experiments/studies/explored_robot.h"
 #include "experiments/studies/model_options.h"
 
 namespace ariadne::experiments {
@@ -14,7 +15,9 @@ struct ExploreStudyOptions {
   std::string world = "builtin:robobench";
   int seed = 1;
   int threads = 2;
-  drivers::SimulatedRobotOptions robot = CoarseRobotOptions();
+  ExploringRobotOptions robot{CoarseRobotOptions()};
+  drivers::HardwareRobotOptions hardware = CoarseHardwareOptions();
+  drivers::EmulatedRobotOptions emulated;
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;
@@ -30,7 +33,10 @@ struct ExploreStudyOptions {
     visit("seed", self.seed, Unit(""), Range{0, 1e9},
           "of the errors of wheels and scanners, and of candidates");
     visit("threads", self.threads, Unit(""), Range{1, 1024}, "results do not depend on it");
-    visit("robot", self.robot, "the simulated robot and its scanner");
+    visit("robot", self.robot, "what explores: the simulated robot and its scanner, or another one");
+    visit("hardware", self.hardware,
+          "of robots of devices: their drivers, how scans are taken, the wheels");
+    visit("emulated", self.emulated, "the emulated devices, on the simulated base of robot.base");
     visit("mission", self.mission, "the mission");
     visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
     visit("judge", self.judge, "what there is to see, against which the mission is judged");

@@ -99,7 +99,7 @@ void HardwareRobot::ReadBase() {
       odometry_.Update({ticks(counts.counts[left], left_sense), ticks(counts.counts[right], right_sense)});
   state_.velocity = {0.5 * (rims.left + rims.right), (rims.right - rims.left) / options_.drive.track};
   state_.stamp = counts.time - start_;
-  state_known_ = true;
+  state_read_ = base_line_.Now();
   NoteStall(rims);
 }
 
@@ -124,7 +124,7 @@ void HardwareRobot::NoteStall(const control::WheelPair& speeds) {
 
 RobotState HardwareRobot::State() {
   return StoppingWheels([&] {
-    if (!state_known_ || LineNow() - start_ - state_.stamp > options_.state_age) ReadBase();
+    if (LineNow() - state_read_ > options_.state_age) ReadBase();
     return state_;
   });
 }
@@ -153,7 +153,7 @@ void HardwareRobot::WaitUntil(double time) {
     for (double now = LineNow(); now < end; now = LineNow()) {
       KeepSweepsUntil(std::min(end, now + kPollTime));
       const bool turn = target_.left != 0.0 || target_.right != 0.0;
-      if (turn && LineNow() < end) ReadBase();
+      if (turn && LineNow() < end - kPollTime) ReadBase();
     }
   });
 }
