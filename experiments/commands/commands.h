@@ -22,5 +22,6 @@ void AddExportCommand(CLI::App& app);
 void AddDevicesCommand(CLI::App& app, int& status);
 void AddLogCommand(CLI::App& app);
 void AddCalibrateCommand(CLI::App& app);
+void AddCheckCommand(CLI::App& app, int& status);
 
 }  // namespace ariadne::experiments

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "experiments/commands/commands.h"
+#include "experiments/commands/explore_config.h"
 #include "experiments/commands/run_target.h"
 #include "experiments/config/options_io.h"
 #include "experiments/field/terminal.h"
@@ -35,17 +36,6 @@ struct ExploreArguments {
   RunTarget target;
   bool approve = false;
 };
-
-ExploreStudyOptions ResolveExploreOptions(const ExploreArguments& arguments, const std::string& config) {
-  OptionEntries entries = config.empty() ? OptionEntries() : OptionEntries::FromFile(config);
-  const std::optional<OptionEntry> experiment = entries.Take("experiment");
-  if (experiment && experiment->value != "explore")
-    Fail("{}: the experiment is {}, not explore; use ariadne run", experiment->where, experiment->value);
-  for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
-  if (const std::optional<OptionEntry> kind = entries.Take("robot"))
-    entries.Set("robot.kind=" + kind->value);
-  return ReadOptions<ExploreStudyOptions>(entries);
-}
 
 /// Who is asked before each drive, and can stop it with any key.
 class Approver {
@@ -87,7 +77,7 @@ int Explore(const ExploreArguments& arguments) {
     Fail("--resume takes the options of the run ({}/config.yaml); give only --out", arguments.target.out);
   const std::string config =
       arguments.target.resume ? arguments.target.out + "/config.yaml" : arguments.config;
-  const ExploreStudyOptions options = ResolveExploreOptions(arguments, config);
+  const ExploreStudyOptions options = ResolveExploreOptions(config, arguments.assignments);
   CheckExplore(options);
   const RunDirectory run(arguments.target.out, arguments.target.existing());
   run.WriteConfig("experiment: explore\n" + WriteOptions(options));
@@ -105,6 +95,18 @@ int Explore(const ExploreArguments& arguments) {
 }
 
 }  // namespace
+
+ExploreStudyOptions ResolveExploreOptions(const std::string& config,
+                                          const std::vector<std::string>& assignments) {
+  OptionEntries entries = config.empty() ? OptionEntries() : OptionEntries::FromFile(config);
+  const std::optional<OptionEntry> experiment = entries.Take("experiment");
+  if (experiment && experiment->value != "explore")
+    Fail("{}: the experiment is {}, not explore; use ariadne run", experiment->where, experiment->value);
+  for (const std::string& assignment : assignments) entries.Set(assignment);
+  if (const std::optional<OptionEntry> kind = entries.Take("robot"))
+    entries.Set("robot.kind=" + kind->value);
+  return ReadOptions<ExploreStudyOptions>(entries);
+}
 
 void AddExploreCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/simulated/load_world.h"
+#include "experiments/field/preflight_options.h"
 #include "experiments/mission/mission_world.h"
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/run/progress_display.h"
@@ -18,6 +19,7 @@ struct ExploreStudyOptions {
   ExploringRobotOptions robot{CoarseRobotOptions()};
   drivers::HardwareRobotOptions hardware = CoarseHardwareOptions();
   drivers::EmulatedRobotOptions emulated;
+  PreflightOptions check;
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;
@@ -37,6 +39,7 @@ struct ExploreStudyOptions {
     visit("hardware", self.hardware,
           "of robots of devices: their drivers, how scans are taken, the wheels");
     visit("emulated", self.emulated, "the emulated devices, on the simulated base of robot.base");
+    visit("check", self.check, "what ariadne check asks of a robot on ports before it leaves");
     visit("mission", self.mission, "the mission");
     visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
     visit("judge", self.judge, "what there is to see, against which the mission is judged");

@@ -109,7 +109,7 @@ TEST_F(ErrorsTest, OfArgumentsHaveStatusTwo) {
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err,
               StartsWith("there is no command 'regsiter'; there are explore, register, optimize, run, "
-                         "convert, info, config, simulate, extract, map, plan, export, view, devices, log, calibrate\n"));
+                         "convert, info, config, simulate, extract, map, plan, export, view, devices, log, calibrate, check\n"));
   EXPECT_FALSE(fs::exists(folder_ / "run"));
 }
 
