@@ -45,7 +45,7 @@ class Approver {
 
   /// False ends the mission.
   bool Approves(const PlannedDrive& drive) {
-    fmt::print("{}\n  y: drive (any key stops it)   n: end the mission here   q: stop now\n",
+    fmt::print("{}\n  one key: y drives (then any key stops), n ends the mission here, q stops now\n",
                PlanText(drive));
     std::fflush(stdout);
     const std::optional<char> key = terminal_.Ask("ynq", [] { return stop_requested != 0; });
@@ -77,14 +77,15 @@ int Explore(const ExploreArguments& arguments) {
     Fail("--resume takes the options of the run ({}/config.yaml); give only --out", arguments.target.out);
   const std::string config =
       arguments.target.resume ? arguments.target.out + "/config.yaml" : arguments.config;
-  const ExploreStudyOptions options = ResolveExploreOptions(config, arguments.assignments);
+  ExploreStudyOptions options = ResolveExploreOptions(config, arguments.assignments);
+  options.approve = options.approve || arguments.approve;
   CheckExplore(options);
   const RunDirectory run(arguments.target.out, arguments.target.existing());
   run.WriteConfig("experiment: explore\n" + WriteOptions(options));
   ProgressDisplay progress(arguments.target.quiet);
   StopOnSignals();
   std::optional<Approver> approver;
-  if (arguments.approve) approver.emplace();
+  if (options.approve) approver.emplace();
   const auto stop = [&] { return approver ? approver->MustStop() : stop_requested != 0; };
   std::function<bool(const PlannedDrive&)> approve;
   if (approver) approve = [&](const PlannedDrive& drive) { return approver->Approves(drive); };

@@ -20,6 +20,7 @@ struct ExploreStudyOptions {
   drivers::HardwareRobotOptions hardware = CoarseHardwareOptions();
   drivers::EmulatedRobotOptions emulated;
   PreflightOptions check;
+  bool approve = false;
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;
@@ -40,6 +41,8 @@ struct ExploreStudyOptions {
           "of robots of devices: their drivers, how scans are taken, the wheels");
     visit("emulated", self.emulated, "the emulated devices, on the simulated base of robot.base");
     visit("check", self.check, "what ariadne check asks of a robot on ports before it leaves");
+    visit("approve", self.approve,
+          "ask on the terminal before each drive, like --approve; any key, or a lost terminal, stops");
     visit("mission", self.mission, "the mission");
     visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
     visit("judge", self.judge, "what there is to see, against which the mission is judged");

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "drivers/hardware/dynamixel/packet.h"
+#include "drivers/hardware/hobby_servo/maestro.h"
 #include "drivers/hardware/line_log_stream.h"
 #include "drivers/hardware/lms200/command.h"
 #include "drivers/hardware/lms200/reply.h"
@@ -260,6 +261,30 @@ bool AcceptsRoboclaw(std::string_view bytes) {
   return Accepts(bytes, read, [](std::ostream& out, const std::string& requests) { out << requests; });
 }
 
+/// Requests to a servo controller.
+std::string ServoRequestsIn(std::string_view bytes, std::size_t piece) {
+  drivers::hobby_servo::RequestDecoder decoder;
+  std::string requests;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+    decoder.Push(ViewOf(bytes.substr(0, piece)));
+    while (const std::optional<drivers::hobby_servo::Request> request = decoder.Next()) {
+      const drivers::Bytes encoded = drivers::hobby_servo::EncodeRequest(*request);
+      requests.append(encoded.begin(), encoded.end());
+    }
+  }
+  return requests;
+}
+bool AcceptsHobbyServo(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    std::string requests = ServoRequestsIn(all, all.size() + 1);
+    if (ServoRequestsIn(all, 1) != requests) throw std::logic_error("pieces are read differently");
+    if (requests.empty()) Fail("no request");
+    return requests;
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const std::string& requests) { out << requests; });
+}
+
 /// The same file with the checksums that its chunks should have, so that what lies behind them is reached.
 drivers::Bytes WithChecksums(const std::string& file) {
   drivers::Bytes mended(file.begin(), file.end());
@@ -302,7 +327,7 @@ bool AcceptsLineLog(std::string_view bytes) {
   });
 }
 
-constexpr std::array<Reader, 20> kReaders{{{"uos_cloud", AcceptsUosCloud},
+constexpr std::array<Reader, 21> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -321,6 +346,7 @@ constexpr std::array<Reader, 20> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"lms200_payload", AcceptsLms200Payload},
                                            {"dynamixel", AcceptsDynamixel},
                                            {"roboclaw", AcceptsRoboclaw},
+                                           {"hobby_servo", AcceptsHobbyServo},
                                            {"line_log", AcceptsLineLog}}};
 
 }  // namespace

@@ -42,6 +42,24 @@ TEST_F(Devices, OfThisComputerAreListedWithoutArguments) {
   EXPECT_THAT(Must("devices -q"), testing::AnyOf(HasSubstr("no serial ports"), HasSubstr("it says")));
 }
 
+TEST_F(Devices, OfARobotThatIsNotThereAreRed) {
+  folder_.Write("robot.yaml",
+                "experiment: explore\nrobot: hardware\nhardware:\n  servo:\n    port: /dev/none\n");
+  const Ended ended = Ariadne("check robot.yaml -q");
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("RED    scanner"), HasSubstr("hardware.scanner.port is not given"),
+                               HasSubstr("cannot open /dev/none"), HasSubstr("green  clock"),
+                               HasSubstr("are red: do not drive")));
+  EXPECT_THAT(Ariadne("check none.yaml").err, HasSubstr("none.yaml"));
+}
+
+TEST_F(Devices, AreCalibratedFromFiles) {
+  folder_.Write("squares.txt", "ccw 0.01 0.02\ncw 0.01 -0.02\n");
+  EXPECT_THAT(Ariadne("calibrate wheels squares.txt").err, HasSubstr("too few; drive at least 3"));
+  EXPECT_EQ(Ariadne("calibrate scanner none").status, 1);
+  EXPECT_EQ(Ariadne("calibrate").status, 2);
+}
+
 using LineLogs = ProgramTest;
 
 TEST_F(LineLogs, AreShownAndTakenApart) {
