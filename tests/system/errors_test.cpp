@@ -108,7 +108,7 @@ TEST_F(ErrorsTest, OfArgumentsHaveStatusTwo) {
   const Ended unknown = Ariadne("regsiter good");
   EXPECT_EQ(unknown.status, 2);
   EXPECT_THAT(unknown.err,
-              StartsWith("there is no command 'regsiter'; there are explore, register, optimize, run, "
+              StartsWith("there is no command 'regsiter'; there are explore, register, optimize, run, emulate, "
                          "convert, info, config, simulate, extract, map, plan, export, view\n"));
   EXPECT_FALSE(fs::exists(folder_ / "run"));
 }

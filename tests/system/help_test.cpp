@@ -10,7 +10,7 @@ using testing::HasSubstr;
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("explore", "register", "optimize", "run", "convert", "info",
+                         testing::Values("explore", "register", "optimize", "run", "emulate", "convert", "info",
                                          "config", "simulate", "extract", "map", "export", "view"),
                          [](const auto& name) { return name.param; });
 
