@@ -46,6 +46,7 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddRegisterCommand(app, status);
   ariadne::experiments::AddOptimizeCommand(app, status);
   ariadne::experiments::AddRunCommand(app, status);
+  ariadne::experiments::AddEmulateCommand(app);
   ariadne::experiments::AddConvertCommand(app);
   ariadne::experiments::AddInfoCommand(app);
   ariadne::experiments::AddConfigCommand(app);

@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace ariadne::drivers {
-namespace {
-
-bool LastsLong(const LineFault& fault) { return fault.kind == LineFault::Kind::kDead; }
-
-}  // namespace
 
 EmulatedLine::EmulatedLine(EmulatedDevice& device, const EmulatedLineOptions& options)
     : device_(device),
@@ -15,28 +10,18 @@ EmulatedLine::EmulatedLine(EmulatedDevice& device, const EmulatedLineOptions& op
       noise_(NamedStream(options.seed, "emulated line/noise")),
       time_(options.time ? options.time : std::make_shared<VirtualTime>()) {}
 
-void EmulatedLine::Inject(const LineFault& fault) { faults_.push_back(fault); }
-
 double EmulatedLine::NextTime() const {
   double next = device_.NextTime();
   if (!arrivals_.empty()) next = std::min(next, arrivals_.front().time);
   if (!requests_.empty()) next = std::min(next, requests_.front().time);
-  for (const LineFault& fault : faults_) {
-    if (fault.kind == LineFault::Kind::kPowerLoss) next = std::min(next, fault.time);
-  }
-  return next;
+  return std::min(next, faults_.NextPowerLoss());
 }
 
 /// All that happens until `time`, in its order.
 void EmulatedLine::GoTo(double time) {
-  for (auto fault = faults_.begin(); fault != faults_.end();) {
-    if (fault->kind == LineFault::Kind::kPowerLoss && fault->time <= time) {
-      Collect(fault->time);
-      device_.LosePower(fault->time, fault->duration);
-      fault = faults_.erase(fault);
-    } else {
-      ++fault;
-    }
+  while (const std::optional<LineFault> fault = faults_.TakePowerLoss(time)) {
+    Collect(fault->time);
+    device_.LosePower(fault->time, fault->duration);
   }
   while (!requests_.empty() && requests_.front().time <= time) {
     const Request request = std::move(requests_.front());
@@ -67,39 +52,10 @@ void EmulatedLine::Collect(double time) {
 }
 
 void EmulatedLine::Arrive(double time, std::uint8_t byte) {
-  if (IsDead(time)) return;
-  int copies = 1;
-  for (const LineFault& fault : FaultsOfByte(time, false)) {
-    if (fault.kind == LineFault::Kind::kDrop) copies = 0;
-    if (fault.kind == LineFault::Kind::kDuplicate) copies = 2;
-    if (fault.kind == LineFault::Kind::kFlip) byte ^= static_cast<std::uint8_t>(1U << fault.bit);
-    if (fault.kind == LineFault::Kind::kDelay) held_until_ = time + fault.duration;
-  }
-  last_arrival_ = std::max({last_arrival_, time, held_until_});
-  for (int i = 0; i < copies; ++i) arrivals_.push_back({last_arrival_, byte});
-}
-
-bool EmulatedLine::IsDead(double time) const {
-  return std::any_of(faults_.begin(), faults_.end(), [time](const LineFault& fault) {
-    return LastsLong(fault) && time >= fault.time && time < fault.time + fault.duration;
-  });
-}
-
-/// The faults that this byte suffers; each is used up by its last byte.
-std::vector<LineFault> EmulatedLine::FaultsOfByte(double time, bool to_device) {
-  std::vector<LineFault> hits;
-  if (faults_.empty()) return hits;
-  for (LineFault& fault : faults_) {
-    const bool other = LastsLong(fault) || fault.kind == LineFault::Kind::kPowerLoss;
-    if (other || fault.to_device != to_device || fault.time > time) continue;
-    hits.push_back(fault);
-    --fault.count;
-    if (fault.kind == LineFault::Kind::kDelay) fault.count = 0;
-  }
-  std::erase_if(faults_, [time](const LineFault& fault) {
-    return fault.count <= 0 || (LastsLong(fault) && fault.time + fault.duration <= time);
-  });
-  return hits;
+  const LineFaults::Passed passed = faults_.Pass(byte, time, false);
+  if (passed.delay > 0.0) held_until_ = time + passed.delay;
+  if (passed.copies > 0) last_arrival_ = std::max({last_arrival_, time, held_until_});
+  for (int i = 0; i < passed.copies; ++i) arrivals_.push_back({last_arrival_, passed.byte});
 }
 
 Bytes EmulatedLine::TakeArrived() {
@@ -125,17 +81,11 @@ void EmulatedLine::Write(ByteView bytes) {
   const double byte_time = 10.0 / baud_;
   double at = std::max(time_->now, sent_until_);
   Request request{at, baud_, {}};
-  for (std::uint8_t byte : bytes) {
+  for (const std::uint8_t byte : bytes) {
     at += byte_time;
-    if (IsDead(at)) continue;
-    int copies = 1;
-    for (const LineFault& fault : FaultsOfByte(at, true)) {
-      if (fault.kind == LineFault::Kind::kDrop) copies = 0;
-      if (fault.kind == LineFault::Kind::kDuplicate) copies = 2;
-      if (fault.kind == LineFault::Kind::kFlip) byte ^= static_cast<std::uint8_t>(1U << fault.bit);
-      if (fault.kind == LineFault::Kind::kDelay) at += fault.duration;
-    }
-    request.bytes.insert(request.bytes.end(), static_cast<std::size_t>(copies), byte);
+    const LineFaults::Passed passed = faults_.Pass(byte, at, true);
+    at += passed.delay;
+    request.bytes.insert(request.bytes.end(), static_cast<std::size_t>(passed.copies), passed.byte);
   }
   request.time = at;
   sent_until_ = at;

@@ -4,10 +4,9 @@
 #include <deque>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "drivers/emulated/emulated_device.h"
-#include "drivers/emulated/line_fault.h"
+#include "drivers/emulated/line_faults.h"
 #include "drivers/hardware/byte_stream.h"
 
 namespace ariadne::drivers {
@@ -31,8 +30,8 @@ class EmulatedLine : public ByteStream {
   explicit EmulatedLine(EmulatedDevice& device, const EmulatedLineOptions& options = {});
 
   /// Faults that will happen, in any order.
-  void Inject(const LineFault& fault);
-  std::size_t pending_faults() const { return faults_.size(); }
+  void Inject(const LineFault& fault) { faults_.Inject(fault); }
+  std::size_t pending_faults() const { return faults_.pending(); }
 
   std::string name() const override { return options_.name; }
   double Now() const override { return time_->now; }
@@ -63,8 +62,6 @@ class EmulatedLine : public ByteStream {
   void Collect(double time);
   void Arrive(double time, std::uint8_t byte);
   Bytes TakeArrived();
-  bool IsDead(double time) const;
-  std::vector<LineFault> FaultsOfByte(double time, bool to_device);
 
   EmulatedDevice& device_;
   EmulatedLineOptions options_;
@@ -74,7 +71,7 @@ class EmulatedLine : public ByteStream {
   int baud_ = 9600;
   std::deque<Arrival> arrivals_;
   std::deque<Request> requests_;
-  std::vector<LineFault> faults_;
+  LineFaults faults_;
   double held_until_ = 0.0;
   double last_arrival_ = 0.0;
   double sent_until_ = 0.0;

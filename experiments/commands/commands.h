@@ -10,6 +10,7 @@ void AddRegisterCommand(CLI::App& app, int& status);
 void AddOptimizeCommand(CLI::App& app, int& status);
 void AddExploreCommand(CLI::App& app, int& status);
 void AddRunCommand(CLI::App& app, int& status);
+void AddEmulateCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
 void AddInfoCommand(CLI::App& app);
 void AddConfigCommand(CLI::App& app);

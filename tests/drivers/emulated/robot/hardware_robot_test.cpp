@@ -52,3 +52,20 @@ TEST(HardwareRobot, KnowsWhereItHasDriven) {
 
 }  // namespace
 }  // namespace ariadne::drivers
+namespace ariadne::drivers {
+TEST(Tmp, Pitch) {
+  RobotBench bench(FurnishedRoom());
+  bench.robot->Connect();
+  const slam::Scan scan = bench.robot->TakeScan();
+  double offset = scan.sweeps.front().stamp;
+  (void)offset;
+  double sum = 0, sq = 0, n = 0, mx = 0;
+  for (const auto& s : scan.sweeps) {
+    const double truth = 2 * M_PI * (bench.device.servo().PositionAt(s.stamp) - 0.5);
+    const double e = s.pitch - truth;
+    sum += e; sq += e * e; n += 1; mx = std::max(mx, std::abs(e));
+    if (int(n) % 16 == 0) fmt::print("{} stamp {} pitch {} e {} rate {}\n", n, s.stamp, s.pitch, e, s.pitch_rate);
+  }
+  fmt::print("mean {} rms {} max {}\n", sum / n, std::sqrt(sq / n), mx);
+}
+}  // namespace ariadne::drivers
