@@ -25,7 +25,7 @@ enum class RobotKind {
 /// The simulated robot, which is also what an emulated one is in its world, and which of them explores.
 struct ExploringRobotOptions : drivers::SimulatedRobotOptions {
   RobotKind kind = RobotKind::kSimulated;
-  drivers::GuardOptions guard;
+  drivers::GuardOptions guard = {};
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
