@@ -20,10 +20,10 @@ struct LogArguments {
 };
 
 void PrintLogInfo(const LogArguments& arguments) {
-  std::string gap;
+  bool first = true;
   for (const std::filesystem::path& name : drivers::FindLineLogs(arguments.path)) {
-    fmt::print("{}{}", gap, ToText(SummarizeLineLog(name)));
-    gap = "\n";
+    fmt::print("{}{}", first ? "" : "\n", ToText(SummarizeLineLog(name)));
+    first = false;
   }
 }
 

@@ -22,10 +22,6 @@ TEST(CalibrateScanner, FindsTheZeroOfTheServoAndTheMirrorOnAnEmulatedRobot) {
   EXPECT_NEAR(found.mounting.height, 0.95, 0.006);
   EXPECT_NEAR(found.mounting.mirror_forward, 0.03, 0.008);
   EXPECT_NEAR(found.mounting.mirror_up, 0.02, 0.008);
-  const ScannerMounting truth{0.0, slam::RadFromDeg(-1.0), 0.95, 0.03, 0.02, 0.0};
-  const ScannerMounting::Vector error = found.mounting.ToVector() - truth.ToVector();
-  for (int i = 0; i < ScannerMounting::kSize; ++i)
-    fmt::print("{}: error {:.5f}, sigma {:.5f}\n", i, error[i], std::sqrt(found.covariance(i, i)));
 }
 
 }  // namespace
