@@ -72,6 +72,7 @@ class HardwareRobot : public Robot {
   void Halt();
 
   // hardware_scan.cpp
+  void WaitForMount(double angle);
   void Level();
   void Stream();
   void KeepSweepsUntil(double line_time);
