@@ -106,7 +106,7 @@ struct ExploreRun {
 SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld& world) {
   const auto& [options, run, progress, stop] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
-      exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), run);
+      exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), &run);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);
@@ -127,7 +127,7 @@ SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld&
 SimulatedMission ExploreForReal(const ExploreRun& exploration) {
   const auto& [options, run, progress, stop] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
-      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), run);
+      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), &run);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);

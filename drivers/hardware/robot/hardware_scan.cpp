@@ -114,7 +114,7 @@ slam::Scan HardwareRobot::TakeScan() {
 std::optional<slam::Scan> HardwareRobot::TryScan() {
   const TiltOptions& tilt = options_.tilt;
   const double rate = TiltRate();
-  const double lead = 0.5 * rate * rate / tilt.acceleration + rate * (0.5 * tilt.window + SweepDuration());
+  const double lead = LeadOf(tilt, rate, SweepDuration());
   level_ = false;
   servo_.MoveTo(tilt.from - lead);
   WaitForMount(tilt.from - lead);
