@@ -1,5 +1,6 @@
 #include "drivers/emulated/pty_server.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
 #include <termios.h>
@@ -55,6 +56,7 @@ PtyServer::PtyServer(EmulatedDevice& device, double start)
     Fail("cannot make a pseudo-terminal: {}", std::strerror(errno));
   }
   path_ = name.data();
+  fcntl(device_end_, F_SETFL, fcntl(device_end_, F_GETFL) | O_NONBLOCK);  // a host may not read
   termios settings{};
   tcgetattr(host_end_, &settings);
   cfmakeraw(&settings);  // until a program sets it, nothing is echoed

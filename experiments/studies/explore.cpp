@@ -129,7 +129,7 @@ MissionEvents DrivenEventsOf(const ExploreRun& exploration, LoggedExploration& l
 SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld& world) {
   const auto& [options, run, progress, stop, approve] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
-      exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), run);
+      exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), &run);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);
@@ -150,7 +150,7 @@ SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld&
 SimulatedMission ExploreForReal(const ExploreRun& exploration) {
   const auto& [options, run, progress, stop, approve] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
-      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), run, stop);
+      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), &run, stop);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);

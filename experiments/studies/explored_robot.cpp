@@ -15,7 +15,9 @@ std::unique_ptr<drivers::ByteStream> RecordedLine(std::unique_ptr<drivers::ByteS
       std::move(line), [number, &log](const drivers::LineRecord& record) { log.Add(number, record); });
 }
 
-drivers::RobotLines RecordedLines(drivers::RobotLines lines, drivers::LineLogWriter& log) {
+drivers::RobotLines RecordedLines(drivers::RobotLines lines, drivers::LineLogWriter* to) {
+  if (to == nullptr) return lines;
+  drivers::LineLogWriter& log = *to;
   return {RecordedLine(std::move(lines.scanner), 0, log), RecordedLine(std::move(lines.servo), 1, log),
           RecordedLine(std::move(lines.motors), 2, log)};
 }
@@ -49,8 +51,8 @@ class Emulated : public ExploredRobot {
  public:
   Emulated(std::shared_ptr<const drivers::RayScene> scene, const drivers::SimulatedRobotOptions& robot,
            const drivers::HardwareRobotOptions& hardware, const drivers::EmulatedRobotOptions& emulated,
-           std::uint64_t seed, const RunDirectory& run)
-      : log_(LogOfLinesAnew(run)),
+           std::uint64_t seed, const RunDirectory* run)
+      : log_(run == nullptr ? nullptr : std::make_unique<drivers::LineLogWriter>(LogOfLinesAnew(*run))),
         devices_(std::move(scene), robot.base, robot.ais, emulated, seed),
         robot_(Lines(), hardware) {
     robot_.Connect();
@@ -66,10 +68,11 @@ class Emulated : public ExploredRobot {
  private:
   drivers::RobotLines Lines() {
     drivers::EmulatedLines lines = drivers::LinesTo(devices_);
-    return RecordedLines({std::move(lines.scanner), std::move(lines.servo), std::move(lines.motors)}, log_);
+    return RecordedLines({std::move(lines.scanner), std::move(lines.servo), std::move(lines.motors)},
+                         log_.get());
   }
 
-  drivers::LineLogWriter log_;
+  std::unique_ptr<drivers::LineLogWriter> log_;
   drivers::EmulatedRobot devices_;
   drivers::HardwareRobot robot_;
 };
@@ -85,9 +88,9 @@ std::filesystem::path NextLogOfLines(const RunDirectory& run) {
 class Real : public ExploredRobot {
  public:
   Real(const drivers::HardwareRobotOptions& options, const drivers::GuardOptions& guard,
-       const RunDirectory& run, std::function<bool()> stop)
-      : log_(NextLogOfLines(run)),
-        robot_(RecordedLines(drivers::OpenPorts(options), log_), options),
+       const RunDirectory* run, std::function<bool()> stop)
+      : log_(run == nullptr ? nullptr : std::make_unique<drivers::LineLogWriter>(NextLogOfLines(*run))),
+        robot_(RecordedLines(drivers::OpenPorts(options), log_.get()), options),
         stop_([stop = std::move(stop)] {
           return stop && stop() ? std::string("it was told to stop") : std::string();
         }),
@@ -100,7 +103,7 @@ class Real : public ExploredRobot {
   drivers::Seam Resume(drivers::RobotLog&) override { return drivers::Seam::kRestarted; }
 
  private:
-  drivers::LineLogWriter log_;
+  std::unique_ptr<drivers::LineLogWriter> log_;
   drivers::HardwareRobot robot_;
   drivers::EmergencyStop stop_;
   drivers::GuardedRobot guarded_;
@@ -119,7 +122,7 @@ std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& ro
                                                  const drivers::HardwareRobotOptions& hardware,
                                                  const drivers::EmulatedRobotOptions& emulated,
                                                  std::shared_ptr<const drivers::RayScene> scene,
-                                                 std::uint64_t seed, const RunDirectory& run,
+                                                 std::uint64_t seed, const RunDirectory* run,
                                                  const std::function<bool()>& stop) {
   switch (robot.kind) {
     case RobotKind::kSimulated:

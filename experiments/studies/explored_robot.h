@@ -59,13 +59,14 @@ class ExploredRobot {
   virtual drivers::Seam Resume(drivers::RobotLog& log) = 0;
 };
 
-/// `scene` is not used for a real robot, whose devices must answer: Error that says which does not. Its
-/// wheels are stopped where `stop` says so, and stay so.
+/// What crosses the lines of a robot of devices is kept in the run, if there is one. `scene` is not used
+/// for a real robot, whose devices must answer: Error that says which does not. Its wheels are stopped
+/// where `stop` says so, and stay so.
 std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& robot,
                                                  const drivers::HardwareRobotOptions& hardware,
                                                  const drivers::EmulatedRobotOptions& emulated,
                                                  std::shared_ptr<const drivers::RayScene> scene,
-                                                 std::uint64_t seed, const RunDirectory& run,
+                                                 std::uint64_t seed, const RunDirectory* run,
                                                  const std::function<bool()>& stop = {});
 
 }  // namespace ariadne::experiments

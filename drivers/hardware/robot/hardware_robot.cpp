@@ -17,8 +17,17 @@ constexpr double kPollTime = 0.05;                    // of the base, while wait
 
 const HardwareRobotOptions& CheckedRobot(const HardwareRobotOptions& options) {
   CheckOptions(options, "hardware.");
-  if (options.tilt.from >= options.tilt.to)
-    Fail("hardware.tilt.from must be smaller than hardware.tilt.to");
+  const TiltOptions& tilt = options.tilt;
+  if (tilt.from >= tilt.to) Fail("hardware.tilt.from must be smaller than hardware.tilt.to");
+  const double duration = options.scanner.turn_period / options.scanner.resolution;
+  const double lead = LeadOf(tilt, (tilt.to - tilt.from) / (tilt.slices * duration), duration);
+  if (tilt.from - lead < options.servo.min_angle || tilt.to + lead > options.servo.max_angle) {
+    Fail(
+        "a scan from hardware.tilt.from={:.3f} to {:.3f} rad in {} slices needs {:.3f} rad more at both "
+        "ends to set the mount in motion, but it bears {:.3f} to {:.3f} only (hardware.servo.min_angle and "
+        "max_angle); take more slices, or a smaller range",
+        tilt.from, tilt.to, tilt.slices, lead, options.servo.min_angle, options.servo.max_angle);
+  }
   return options;
 }
 

@@ -72,6 +72,7 @@ class HardwareRobot : public Robot {
   void Halt();
 
   // hardware_scan.cpp
+  void WaitForMount(double angle);
   void Level();
   void Stream();
   void KeepSweepsUntil(double line_time);
@@ -94,7 +95,7 @@ class HardwareRobot : public Robot {
   std::optional<slam::LaserSweep> latest_;  // level, by the lines' clock
   control::WheelOdometry odometry_;
   RobotState state_;
-  double state_read_ = -1e9;  // when, by the lines' clock [s]
+  double state_read_ = -1e9;               // when, by the lines' clock [s]
   control::WheelPair target_;              // that the wheels were told [m/s]
   std::array<double, 2> behind_since_{};   // when each began to stay behind its command [s]
   std::optional<slam::Pose2> stalled_at_;  // until the robot is clear of it

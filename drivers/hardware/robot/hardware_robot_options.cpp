@@ -12,4 +12,8 @@ slam::Pose3 LaserMountOptions::T_base_laser() const {
   return T;
 }
 
+double LeadOf(const TiltOptions& tilt, double rate, double duration) {
+  return 0.5 * rate * rate / tilt.acceleration + rate * (0.5 * tilt.window + duration);
+}
+
 }  // namespace ariadne::drivers

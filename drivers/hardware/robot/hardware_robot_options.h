@@ -80,6 +80,10 @@ struct TiltOptions {
   }
 };
 
+/// How far before its range the mount must begin to move so that it is even there: at `rate` [rad/s], for
+/// sweeps of a duration [s].
+double LeadOf(const TiltOptions& tilt, double rate, double duration);
+
 /// When wheels that should turn are held by something.
 struct StallOptions {
   double time = 0.4;

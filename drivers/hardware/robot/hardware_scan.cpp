@@ -27,6 +27,16 @@ slam::LaserSweep HardwareRobot::Stamped(slam::LaserSweep sweep) const {
   return sweep;
 }
 
+/// Hears the scanner meanwhile, so that no line is full when it is listened to again.
+void HardwareRobot::WaitForMount(double angle) {
+  constexpr double kLook = 0.02;  // [s]
+  const double give_up = LineNow() + options_.tilt.max_time;
+  while (std::abs(servo_.State().angle - angle) > options_.tilt.tolerance) {
+    if (LineNow() > give_up) servo_.WaitFor(angle, options_.tilt.tolerance, 0.0);  // says what is wrong
+    KeepSweepsUntil(LineNow() + kLook);
+  }
+}
+
 /// Returns when the mount stands level.
 void HardwareRobot::Level() {
   if (level_) return;
@@ -35,7 +45,7 @@ void HardwareRobot::Level() {
     servo_.MoveTo(0.0);
     levelling_ = true;
   }
-  servo_.WaitFor(0.0, options_.tilt.tolerance, options_.tilt.max_time);
+  WaitForMount(0.0);
   level_ = true;
   levelling_ = false;
 }
@@ -104,10 +114,10 @@ slam::Scan HardwareRobot::TakeScan() {
 std::optional<slam::Scan> HardwareRobot::TryScan() {
   const TiltOptions& tilt = options_.tilt;
   const double rate = TiltRate();
-  const double lead = 0.5 * rate * rate / tilt.acceleration + rate * (0.5 * tilt.window + SweepDuration());
+  const double lead = LeadOf(tilt, rate, SweepDuration());
   level_ = false;
   servo_.MoveTo(tilt.from - lead);
-  servo_.WaitFor(tilt.from - lead, tilt.tolerance, tilt.max_time);
+  WaitForMount(tilt.from - lead);
   latest_.reset();
   SweepAfter(LineNow());  // from now on they have times
   servo_.SetProfile(rate, tilt.acceleration);
