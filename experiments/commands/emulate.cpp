@@ -9,6 +9,7 @@
 #include "experiments/commands/commands.h"
 #include "experiments/commands/run_target.h"
 #include "experiments/config/options_io.h"
+#include "slam/io/file.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -21,10 +22,14 @@ struct EmulateArguments {
   std::string world;
   std::vector<std::string> assignments;
   std::vector<std::string> faults;
+  std::string ports;
 };
 
-void PrintPorts(const EmulatedPorts& ports) {
-  fmt::print("scanner {}\nservo {}\nmotors {}\n", ports.scanner, ports.servo, ports.motors);
+void PrintPorts(const EmulatedPorts& ports, const std::string& file) {
+  const std::string names =
+      fmt::format("scanner {}\nservo {}\nmotors {}\n", ports.scanner, ports.servo, ports.motors);
+  if (!file.empty()) slam::WriteFileAtomically(file, [&names](std::ostream& out) { out << names; });
+  fmt::print("{}", names);
   fmt::print(
       "In another terminal:\n  ariadne explore --set robot=hardware --set hardware.scanner.port={} --set "
       "hardware.servo.port={} --set hardware.motors.port={} --out results/emulated\nCtrl-C ends.\n",
@@ -38,8 +43,9 @@ void EmulateUntilStopped(const EmulateArguments& arguments) {
   std::vector<EmulatedFault> faults;
   for (const std::string& fault : arguments.faults) faults.push_back(ParseEmulatedFault(fault));
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, RequestEnd);
-  const EmulationEnd end = Emulate(arguments.world, ReadOptions<EmulateOptions>(entries), faults,
-                                   PrintPorts, [](double) { return end_requested == 0; });
+  const auto on_ready = [&arguments](const EmulatedPorts& ports) { PrintPorts(ports, arguments.ports); };
+  const EmulationEnd end = Emulate(arguments.world, ReadOptions<EmulateOptions>(entries), faults, on_ready,
+                                   [](double) { return end_requested == 0; });
   const slam::Pose2& at = end.T_world_base;
   fmt::print(
       "after {:.0f} s: {:.2f} m driven, {} contacts; the robot stands at ({:.3f}, {:.3f}) m, {:.3f} rad\n",
@@ -63,6 +69,7 @@ void AddEmulateCommand(CLI::App& app) {
                       "DEVICE:KIND:TIME[:AMOUNT]; any number of times. DEVICE is scanner, servo or motors; "
                       "KIND is drop, flip or duplicate (AMOUNT bytes), delay, dead or power (AMOUNT "
                       "seconds), stuck (servo), or slip (left or right instead of a device)");
+  command->add_option("--ports", arguments->ports, "File to which the names of the ports are written too");
   command->footer(
       "Example:\n"
       "  ariadne emulate builtin:robobench\n"

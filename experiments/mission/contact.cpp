@@ -33,21 +33,23 @@ slam::Pose2 MovedSince(const slam::LaserSweep& sweep, const slam::ScannerModel& 
   return slam::Pose2::Exp({now.velocity.forward * age, 0.0, now.velocity.turning * age});
 }
 
-std::vector<Eigen::Vector2d> SafetyPoints(drivers::Robot& robot, const slam::ScannerModel& scanner) {
+std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner,
+                                             const drivers::RobotState& now) {
   std::vector<drivers::SafetySweep> sweeps = robot.TakeSafetySweeps();
-  slam::Pose2 T_now_then;
-  if (sweeps.empty()) {
-    sweeps.push_back({robot.T_base_laser(), scanner, robot.TakeSweep()});
-    T_now_then = MovedSince(sweeps.back().sweep, scanner, robot.State()).Inverse();
-  }
+  if (!sweeps.empty()) return sweeps;
+  slam::LaserSweep sweep = robot.TakeSweep();
+  const slam::Pose3 T_now_then = slam::ToPose3(MovedSince(sweep, scanner, now).Inverse());
+  return {{T_now_then * robot.T_base_laser(), scanner, std::move(sweep)}};
+}
+
+std::vector<Eigen::Vector2d> PointsOf(std::span<const drivers::SafetySweep> sweeps) {
   std::vector<Eigen::Vector2d> points_base;
   for (const drivers::SafetySweep& sweep : sweeps) {
     for (std::size_t i = 0; i < sweep.sweep.ranges.size(); ++i) {
       const double range = sweep.sweep.ranges[i];
       if (!(range > 0.0)) continue;
       const Eigen::Vector3d beam = slam::BeamDirection(sweep.scanner, i, sweep.sweep.pitch);
-      const Eigen::Vector2d p_then = (sweep.T_base_laser * (range * beam)).head<2>();
-      points_base.push_back(T_now_then * p_then);
+      points_base.emplace_back((sweep.T_base_laser * (range * beam)).head<2>());
     }
   }
   return points_base;
@@ -57,7 +59,7 @@ Eigen::Vector2d ContactPlace(drivers::Robot& robot, const slam::ScannerModel& sc
                              const control::DriveCommand& command) {
   Eigen::Vector2d contact = SideThatMoved(command);
   double nearest = kNear;
-  for (const Eigen::Vector2d& p_base : SafetyPoints(robot, scanner)) {
+  for (const Eigen::Vector2d& p_base : PointsOf(LookAround(robot, scanner, robot.State()))) {
     if (FromOutline(p_base) >= nearest) continue;
     nearest = FromOutline(p_base);
     contact = p_base;

@@ -142,8 +142,8 @@ EmulationEnd Emulate(const std::string& world, const EmulateOptions& options,
     device_faults.Update(now);
     return goes_on(now);
   });
-  return {scanner.Now(), LengthOf(robot.base().path_true()), robot.base().collisions(),
-          robot.base().T_map_base_true()};
+  return {scanner.Now(), LengthOf(robot.base().path_true()),
+          static_cast<int>(robot.base().collisions().size()), robot.base().T_map_base_true()};
 }
 
 }  // namespace ariadne::experiments

@@ -108,7 +108,7 @@ TEST(HardwareRobot, NoticesThatSomethingHoldsTheWheels) {
   bench.robot->Connect();
   for (int i = 0; i < 100 && !bench.robot->State().blocked; ++i) bench.DriveFor({0.3, 0.0}, 0.1);
   EXPECT_TRUE(bench.robot->State().blocked);
-  EXPECT_EQ(bench.device.base().collisions(), 1);
+  EXPECT_EQ(bench.device.base().collisions().size(), 1U);
   bench.DriveFor({}, 0.2);
   EXPECT_TRUE(bench.robot->State().blocked);
   bench.DriveFor({-0.2, 0.0}, 1.0);
