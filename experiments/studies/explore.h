@@ -14,7 +14,7 @@ struct ExploreStudyOptions {
   std::string world = "builtin:robobench";
   int seed = 1;
   int threads = 2;
-  drivers::SimulatedRobotOptions robot = CoarseRobotOptions();
+  drivers::SimulatedRobotOptions robot = MissionRobotOptions();
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;
