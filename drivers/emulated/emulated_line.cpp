@@ -3,37 +3,25 @@
 #include <algorithm>
 
 namespace ariadne::drivers {
-namespace {
-
-bool LastsLong(const LineFault& fault) { return fault.kind == LineFault::Kind::kDead; }
-
-}  // namespace
 
 EmulatedLine::EmulatedLine(EmulatedDevice& device, const EmulatedLineOptions& options)
-    : device_(device), options_(options), noise_(NamedStream(options.seed, "emulated line/noise")) {}
-
-void EmulatedLine::Inject(const LineFault& fault) { faults_.push_back(fault); }
+    : device_(device),
+      options_(options),
+      noise_(NamedStream(options.seed, "emulated line/noise")),
+      time_(options.time ? options.time : std::make_shared<VirtualTime>()) {}
 
 double EmulatedLine::NextTime() const {
   double next = device_.NextTime();
   if (!arrivals_.empty()) next = std::min(next, arrivals_.front().time);
   if (!requests_.empty()) next = std::min(next, requests_.front().time);
-  for (const LineFault& fault : faults_) {
-    if (fault.kind == LineFault::Kind::kPowerLoss) next = std::min(next, fault.time);
-  }
-  return next;
+  return std::min(next, faults_.NextPowerLoss());
 }
 
 /// All that happens until `time`, in its order.
 void EmulatedLine::GoTo(double time) {
-  for (auto fault = faults_.begin(); fault != faults_.end();) {
-    if (fault->kind == LineFault::Kind::kPowerLoss && fault->time <= time) {
-      Collect(fault->time);
-      device_.LosePower(fault->time, fault->duration);
-      fault = faults_.erase(fault);
-    } else {
-      ++fault;
-    }
+  while (const std::optional<LineFault> fault = faults_.TakePowerLoss(time)) {
+    Collect(fault->time);
+    device_.LosePower(fault->time, fault->duration);
   }
   while (!requests_.empty() && requests_.front().time <= time) {
     const Request request = std::move(requests_.front());
@@ -41,8 +29,14 @@ void EmulatedLine::GoTo(double time) {
     Collect(request.time);
     device_.Receive(request.bytes, request.baud, request.time);
   }
-  Collect(time);
-  now_ = std::max(now_, time);
+  Collect(std::max(told_, time));
+  told_ = std::max(told_, time);
+}
+
+/// The host waits to a time.
+void EmulatedLine::WaitTo(double time) {
+  GoTo(time);
+  time_->now = std::max(time_->now, time);
 }
 
 /// Takes what the device sends until `time` and does to it what the line does.
@@ -58,44 +52,15 @@ void EmulatedLine::Collect(double time) {
 }
 
 void EmulatedLine::Arrive(double time, std::uint8_t byte) {
-  if (IsDead(time)) return;
-  int copies = 1;
-  for (const LineFault& fault : FaultsOfByte(time, false)) {
-    if (fault.kind == LineFault::Kind::kDrop) copies = 0;
-    if (fault.kind == LineFault::Kind::kDuplicate) copies = 2;
-    if (fault.kind == LineFault::Kind::kFlip) byte ^= static_cast<std::uint8_t>(1U << fault.bit);
-    if (fault.kind == LineFault::Kind::kDelay) held_until_ = time + fault.duration;
-  }
-  last_arrival_ = std::max({last_arrival_, time, held_until_});
-  for (int i = 0; i < copies; ++i) arrivals_.push_back({last_arrival_, byte});
-}
-
-bool EmulatedLine::IsDead(double time) const {
-  return std::any_of(faults_.begin(), faults_.end(), [time](const LineFault& fault) {
-    return LastsLong(fault) && time >= fault.time && time < fault.time + fault.duration;
-  });
-}
-
-/// The faults that this byte suffers; each is used up by its last byte.
-std::vector<LineFault> EmulatedLine::FaultsOfByte(double time, bool to_device) {
-  std::vector<LineFault> hits;
-  if (faults_.empty()) return hits;
-  for (LineFault& fault : faults_) {
-    const bool other = LastsLong(fault) || fault.kind == LineFault::Kind::kPowerLoss;
-    if (other || fault.to_device != to_device || fault.time > time) continue;
-    hits.push_back(fault);
-    --fault.count;
-    if (fault.kind == LineFault::Kind::kDelay) fault.count = 0;
-  }
-  std::erase_if(faults_, [time](const LineFault& fault) {
-    return fault.count <= 0 || (LastsLong(fault) && fault.time + fault.duration <= time);
-  });
-  return hits;
+  const LineFaults::Passed passed = faults_.Pass(byte, time, false);
+  if (passed.delay > 0.0) held_until_ = time + passed.delay;
+  if (passed.copies > 0) last_arrival_ = std::max({last_arrival_, time, held_until_});
+  for (int i = 0; i < passed.copies; ++i) arrivals_.push_back({last_arrival_, passed.byte});
 }
 
 Bytes EmulatedLine::TakeArrived() {
   Bytes bytes;
-  while (!arrivals_.empty() && arrivals_.front().time <= now_) {
+  while (!arrivals_.empty() && arrivals_.front().time <= time_->now) {
     bytes.push_back(arrivals_.front().byte);
     arrivals_.pop_front();
   }
@@ -103,29 +68,24 @@ Bytes EmulatedLine::TakeArrived() {
 }
 
 Bytes EmulatedLine::Read(double deadline) {
-  const auto has_arrived = [this] { return !arrivals_.empty() && arrivals_.front().time <= now_; };
-  deadline = std::max(deadline, now_);
-  GoTo(now_);
-  while (!has_arrived() && now_ < deadline) GoTo(std::min(deadline, std::max(now_, NextTime())));
-  if (has_arrived()) GoTo(std::min(deadline, now_ + options_.chunk_time));
+  const auto has_arrived = [this] { return !arrivals_.empty() && arrivals_.front().time <= time_->now; };
+  deadline = std::max(deadline, time_->now);
+  GoTo(time_->now);
+  while (!has_arrived() && time_->now < deadline)
+    WaitTo(std::min(deadline, std::max(time_->now, NextTime())));
+  if (has_arrived()) WaitTo(std::min(deadline, time_->now + options_.chunk_time));
   return TakeArrived();
 }
 
 void EmulatedLine::Write(ByteView bytes) {
   const double byte_time = 10.0 / baud_;
-  double at = std::max(now_, sent_until_);
+  double at = std::max(time_->now, sent_until_);
   Request request{at, baud_, {}};
-  for (std::uint8_t byte : bytes) {
+  for (const std::uint8_t byte : bytes) {
     at += byte_time;
-    if (IsDead(at)) continue;
-    int copies = 1;
-    for (const LineFault& fault : FaultsOfByte(at, true)) {
-      if (fault.kind == LineFault::Kind::kDrop) copies = 0;
-      if (fault.kind == LineFault::Kind::kDuplicate) copies = 2;
-      if (fault.kind == LineFault::Kind::kFlip) byte ^= static_cast<std::uint8_t>(1U << fault.bit);
-      if (fault.kind == LineFault::Kind::kDelay) at += fault.duration;
-    }
-    request.bytes.insert(request.bytes.end(), static_cast<std::size_t>(copies), byte);
+    const LineFaults::Passed passed = faults_.Pass(byte, at, true);
+    at += passed.delay;
+    request.bytes.insert(request.bytes.end(), static_cast<std::size_t>(passed.copies), passed.byte);
   }
   request.time = at;
   sent_until_ = at;
@@ -133,7 +93,7 @@ void EmulatedLine::Write(ByteView bytes) {
 }
 
 void EmulatedLine::SetBaud(int baud) {
-  GoTo(std::max(now_, sent_until_));
+  WaitTo(std::max(time_->now, sent_until_));
   arrivals_.clear();
   baud_ = baud;
 }

@@ -12,6 +12,7 @@ namespace {
 constexpr std::string_view kVersion("USB Roboclaw 2x15a v4.1.34\n\0", 28);
 constexpr double kFreeCurrent = 0.4;     // of a motor that turns [A]
 constexpr double kBlockedCurrent = 9.0;  // [A]
+constexpr double kLoadStep = 0.01;       // [s]
 
 std::int32_t CountOf(double pulses) {
   return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::llround(std::floor(pulses))));
@@ -46,18 +47,42 @@ void EmulatedMotors::MoveFor(double seconds) {
   }
 }
 
+void EmulatedMotors::Couple() {
+  if (!load_ || now_ <= rolled_until_) return;
+  const std::array<double, 2> ways{positions_[0] - rolled_[0], positions_[1] - rolled_[1]};
+  const double share = load_(ways, now_);
+  const bool wants = targets_[0] != 0.0 || targets_[1] != 0.0;
+  held_ = share < 1.0 || (held_ && wants && ways[0] == 0.0 && ways[1] == 0.0);
+  if (share < 1.0) {
+    for (std::size_t i = 0; i < 2; ++i) positions_[i] = rolled_[i] + share * ways[i];
+    speeds_ = {};
+  }
+  rolled_ = positions_;
+  rolled_until_ = now_;
+}
+
+/// In steps that end at multiples of their length, whenever it is asked.
+void EmulatedMotors::MoveCoupled(double seconds) {
+  const double end = now_ + seconds;
+  while (load_ && now_ < end) {
+    const double next = (std::floor(now_ / kLoadStep + 1e-6) + 1.0) * kLoadStep;
+    if (next > end) break;
+    MoveFor(next - now_);
+    now_ = next;
+    Couple();
+  }
+  if (end > now_) MoveFor(end - now_);
+  now_ = end;
+}
+
 void EmulatedMotors::Move(double time) {
   const double stop = TimeoutEnds();
-  if (stop > now_ && stop <= time) {
-    MoveFor(stop - now_);
-    now_ = stop;
-  }
+  if (stop > now_ && stop <= time) MoveCoupled(stop - now_);
   if (stop <= now_) {
     targets_ = {};
     acceleration_ = options_.deceleration;
   }
-  if (time > now_) MoveFor(time - now_);
-  now_ = std::max(now_, time);
+  if (time > now_) MoveCoupled(time - now_);
 }
 
 double EmulatedMotors::NextTime() const {
@@ -132,7 +157,7 @@ Bytes EmulatedMotors::DataOf(roboclaw::Code code) const {
       roboclaw::PutNumber(data, static_cast<std::uint32_t>(CountOf(speeds_[i] + 0.5)), 4);
     }
     if (code == roboclaw::Code::kCurrents) {
-      const bool strains = blocked_[i] && targets_[i] != 0.0;
+      const bool strains = (blocked_[i] || held_) && targets_[i] != 0.0;
       const double sign = speeds_[i] > 0.0 || (strains && targets_[i] > 0.0) ? 1.0 : -1.0;
       const double amperes = strains ? kBlockedCurrent : (speeds_[i] != 0.0 ? kFreeCurrent : 0.0);
       roboclaw::PutNumber(data, static_cast<std::uint32_t>(std::lround(sign * amperes * 100.0)) & 0xFFFF,

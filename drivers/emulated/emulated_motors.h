@@ -31,6 +31,9 @@ struct EmulatedMotorsOptions {
   }
 };
 
+/// What the wheels are coupled to: of ways [pulses] up to a time [s] it lets a share happen, 1 for all.
+using MotorLoad = std::function<double(const std::array<double, 2>& ways, double time)>;
+
 /// A RoboClaw board with two motors that do what they are told, within their acceleration. Choices where
 /// the specification is silent: requests that it cannot read get no answer and do not keep the timeout from
 /// running out; half a packet is forgotten after 10 ms; speeds are those of the encoders at this moment;
@@ -48,6 +51,12 @@ class EmulatedMotors : public EmulatedDevice {
   const std::array<double, 2>& speeds() const { return speeds_; }
   const std::array<double, 2>& positions() const { return positions_; }  // [pulses]
 
+  /// The world in which the wheels roll, every 10 ms. What it stops stands, with a large current, and
+  /// tries again.
+  void SetLoad(MotorLoad load) { load_ = std::move(load); }
+  /// Rolls up to this moment.
+  void Couple();
+
   /// Bits of command 90.
   void SetStatus(std::uint16_t status) { status_ = status; }
   /// A wheel that is blocked stands, with a large current.
@@ -56,6 +65,7 @@ class EmulatedMotors : public EmulatedDevice {
  private:
   void Move(double time);
   void MoveFor(double seconds);
+  void MoveCoupled(double seconds);
   void Execute(const roboclaw::Request& request, double time);
   Bytes DataOf(roboclaw::Code code) const;
   double TimeoutEnds() const;
@@ -67,6 +77,10 @@ class EmulatedMotors : public EmulatedDevice {
   std::array<double, 2> speeds_{};
   std::array<double, 2> targets_{};
   std::array<bool, 2> blocked_{};
+  MotorLoad load_;
+  std::array<double, 2> rolled_{};  // positions up to which the load has let them
+  double rolled_until_ = 0.0;       // [s]
+  bool held_ = false;               // by the load
   double acceleration_;
   std::uint16_t status_ = 0;
   std::uint8_t timeout_ = 0;  // [100 ms]

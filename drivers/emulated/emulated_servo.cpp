@@ -75,6 +75,27 @@ void EmulatedServo::Step(double seconds) {
   }
 }
 
+/// Called after each step. What stood still is one span.
+void EmulatedServo::Remember() {
+  constexpr double kRemembered = 1.0;  // [s]
+  const std::size_t count = past_.size();
+  const bool stands =
+      count >= 2 && past_[count - 1].position == position_ && past_[count - 2].position == position_;
+  if (stands) past_.pop_back();
+  past_.push_back({now_, position_});
+  while (past_.size() > 2 && past_[1].time < now_ - kRemembered) past_.pop_front();
+}
+
+double EmulatedServo::PositionAt(double time) const {
+  const auto after = std::lower_bound(past_.begin(), past_.end(), time,
+                                      [](const Past& past, double t) { return past.time < t; });
+  if (after == past_.end()) return position_;
+  if (after == past_.begin()) return after->position;
+  const Past& before = *(after - 1);
+  const double share = (time - before.time) / (after->time - before.time);
+  return before.position + share * (after->position - before.position);
+}
+
 void EmulatedServo::Move(double time) {
   while (now_ < time) {
     const double seconds = std::min(kStep, time - now_);
@@ -83,11 +104,13 @@ void EmulatedServo::Move(double time) {
     const bool standing = position_ == goal && velocity_ == 0.0;
     if (ByteAt(Place::kTorqueEnable) == 0 || standing) {
       velocity_ = 0.0;
-      if (standing) now_ = std::max(now_, time);
+      now_ = std::max(now_, time);
+      Remember();
       continue;
     }
     if (!stuck_) {
       Step(seconds);
+      Remember();
       continue;
     }
     velocity_ = 0.0;

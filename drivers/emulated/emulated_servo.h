@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <deque>
 #include <vector>
 
 #include "drivers/emulated/emulated_device.h"
@@ -44,6 +45,8 @@ class EmulatedServo : public EmulatedDevice {
 
   /// Where it is [turns], at the latest time that it was told.
   double position() const { return position_; }
+  /// And where it was a moment before, within the last second.
+  double PositionAt(double time) const;
 
   /// Something holds the mount: it does not move, and reports an overload after a second of trying.
   void SetStuck(bool stuck) { stuck_ = stuck; }
@@ -55,6 +58,7 @@ class EmulatedServo : public EmulatedDevice {
   void SetDefaults();
   void Move(double time);
   void Step(double seconds);
+  void Remember();
   void Execute(const dynamixel::Packet& packet, double time);
   std::uint8_t WriteTable(std::size_t address, ByteView data);
   void SyncWrite(ByteView parameters);
@@ -63,7 +67,12 @@ class EmulatedServo : public EmulatedDevice {
   EmulatedServoOptions options_;
   dynamixel::PacketDecoder decoder_;
   std::array<std::uint8_t, 256> table_{};
+  struct Past {
+    double time;      // [s]
+    double position;  // [turns]
+  };
   double position_;        // [turns]
+  std::deque<Past> past_;  // ascending; it went straight from one to the next
   double velocity_ = 0.0;  // [turns/s]
   double now_ = 0.0;       // [s]
   double ready_at_ = 0.0;  // [s]

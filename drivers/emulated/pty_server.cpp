@@ -1,5 +1,6 @@
 #include "drivers/emulated/pty_server.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <pty.h>
 #include <termios.h>
@@ -44,13 +45,18 @@ struct PtyServer::Outgoing {
   RandomStream noise = NamedStream(1, "pty server/noise");
 };
 
-PtyServer::PtyServer(EmulatedDevice& device)
-    : device_(device), start_(MonotonicTime()), outgoing_(std::make_unique<Outgoing>()) {
+PtyServer::PtyServer(EmulatedDevice& device) : PtyServer(device, MonotonicTime()) {}
+
+PtyServer::PtyServer(EmulatedDevice& device, const PtyServer& other) : PtyServer(device, other.start_) {}
+
+PtyServer::PtyServer(EmulatedDevice& device, double start)
+    : device_(device), start_(start), outgoing_(std::make_unique<Outgoing>()) {
   std::array<char, 256> name{};
   if (openpty(&device_end_, &host_end_, name.data(), nullptr, nullptr) != 0) {
     Fail("cannot make a pseudo-terminal: {}", std::strerror(errno));
   }
   path_ = name.data();
+  fcntl(device_end_, F_SETFL, fcntl(device_end_, F_GETFL) | O_NONBLOCK);  // a host may not read
   termios settings{};
   tcgetattr(host_end_, &settings);
   cfmakeraw(&settings);  // until a program sets it, nothing is echoed
@@ -74,8 +80,15 @@ int PtyServer::HostBaud() const {
   return known == kSpeeds.end() ? 0 : known->second;
 }
 
-void PtyServer::TakeSendings() {
-  for (Sending& sending : device_.Advance(Now())) outgoing_->sendings.push_back(std::move(sending));
+void PtyServer::TakeSendings(double time) {
+  const auto take = [this](double until) {
+    for (Sending& sending : device_.Advance(until)) outgoing_->sendings.push_back(std::move(sending));
+  };
+  while (const std::optional<LineFault> fault = faults_.TakePowerLoss(time)) {
+    take(time);
+    device_.LosePower(time, fault->duration);
+  }
+  take(time);
 }
 
 /// When the next byte is due; infinity where none is on its way.
@@ -84,7 +97,7 @@ double PtyServer::NextSend() const {
   const Sending& first = outgoing_->sendings.front();
   // In pieces of up to 16 bytes, as a UART hands them over.
   const std::size_t piece = std::min(outgoing_->sent + 16, first.bytes.size());
-  return first.start + static_cast<double>(piece) * first.byte_time;
+  return std::max(held_until_, first.start + static_cast<double>(piece) * first.byte_time);
 }
 
 void PtyServer::SendDue() {
@@ -94,35 +107,74 @@ void PtyServer::SendDue() {
     if (first.byte_time > 0.0) {
       due = std::min(due, static_cast<std::size_t>(std::max(0.0, (Now() - first.start) / first.byte_time)));
     }
-    Bytes piece(first.bytes.begin() + static_cast<std::ptrdiff_t>(outgoing_->sent),
-                first.bytes.begin() + static_cast<std::ptrdiff_t>(std::max(due, outgoing_->sent)));
-    if (first.baud != HostBaud()) {
-      for (std::uint8_t& byte : piece) byte = static_cast<std::uint8_t>(outgoing_->noise() & 0xFF);
-    }
+    due = std::max(due, outgoing_->sent);
+    const Bytes piece = PieceOf(first, outgoing_->sent, due);
     // A program that does not read loses bytes, as with a serial port.
     if (write(device_end_, piece.data(), piece.size()) < 0 && errno != EAGAIN) {
       Fail("cannot write to {}: {}", path_, std::strerror(errno));
     }
-    outgoing_->sent += piece.size();
+    outgoing_->sent = due;
     if (outgoing_->sent < first.bytes.size()) break;
     outgoing_->sendings.pop_front();
     outgoing_->sent = 0;
   }
 }
 
-void PtyServer::Serve(const std::stop_token& stop, double poll_time) {
+/// What the line makes of bytes `from` to `to`.
+Bytes PtyServer::PieceOf(const Sending& sending, std::size_t from, std::size_t to) {
+  const bool other_rate = sending.baud != HostBaud();
+  const double now = Now();
+  Bytes piece;
+  for (std::size_t i = from; i < to; ++i) {
+    const auto noise = other_rate ? static_cast<std::uint8_t>(outgoing_->noise() & 0xFF) : std::uint8_t{0};
+    const LineFaults::Passed passed = faults_.Pass(other_rate ? noise : sending.bytes[i], now, false);
+    if (passed.delay > 0.0) held_until_ = now + passed.delay;
+    piece.insert(piece.end(), static_cast<std::size_t>(passed.copies), passed.byte);
+  }
+  return piece;
+}
+
+void PtyServer::Receive(ByteView bytes, double time) {
+  Bytes arrived;
+  for (const std::uint8_t byte : bytes) {
+    const LineFaults::Passed passed = faults_.Pass(byte, time, true);
+    arrived.insert(arrived.end(), static_cast<std::size_t>(passed.copies), passed.byte);
+  }
+  if (!arrived.empty()) device_.Receive(arrived, HostBaud(), time);
+}
+
+void PtyServer::Serve(const std::stop_token& stop, double poll) {
+  PtyServer* const self = this;
+  ServeAll(
+      {&self, 1}, [&stop](double) { return !stop.stop_requested(); }, poll);
+}
+
+void PtyServer::ServeAll(std::span<PtyServer* const> servers,
+                         const std::function<bool(double now)>& goes_on, double poll_time) {
   std::array<std::uint8_t, 4096> buffer;
-  while (!stop.stop_requested()) {
-    TakeSendings();
-    SendDue();
-    const double next = std::min({device_.NextTime(), NextSend(), Now() + poll_time});
-    pollfd input{device_end_, POLLIN, 0};
-    const double wait = std::ceil(std::max(0.0, next - Now()) * 1000.0);
-    if (poll(&input, 1, static_cast<int>(wait)) <= 0 || (input.revents & POLLIN) == 0) continue;
-    const ssize_t count = read(device_end_, buffer.data(), buffer.size());
-    if (count <= 0) continue;
-    TakeSendings();
-    device_.Receive(ByteView(buffer.data(), static_cast<std::size_t>(count)), HostBaud(), Now());
+  std::vector<pollfd> inputs;
+  for (const PtyServer* server : servers) inputs.push_back({server->device_end_, POLLIN, 0});
+  const auto live_until = [&servers](double time) {
+    for (PtyServer* server : servers) server->TakeSendings(time);
+  };
+  for (double now = servers.front()->Now(); goes_on(now); now = servers.front()->Now()) {
+    live_until(now);
+    double next = now + poll_time;
+    for (PtyServer* server : servers) {
+      server->SendDue();
+      next = std::min({next, server->device_.NextTime(), server->NextSend()});
+    }
+    const double wait = std::max(0.0, next - servers.front()->Now());
+    const timespec duration{static_cast<time_t>(wait), static_cast<long>(std::fmod(wait, 1.0) * 1e9)};
+    if (ppoll(inputs.data(), inputs.size(), &duration, nullptr) <= 0) continue;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      if ((inputs[i].revents & POLLIN) == 0) continue;
+      const ssize_t count = read(inputs[i].fd, buffer.data(), buffer.size());
+      if (count <= 0) continue;
+      now = servers.front()->Now();
+      live_until(now);
+      servers[i]->Receive(ByteView(buffer.data(), static_cast<std::size_t>(count)), now);
+    }
   }
 }
 

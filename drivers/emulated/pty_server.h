@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <span>
 #include <stop_token>
 #include <string>
 
 #include "drivers/emulated/emulated_device.h"
+#include "drivers/emulated/line_faults.h"
 
 namespace ariadne::drivers {
 
@@ -15,6 +18,8 @@ class PtyServer {
  public:
   /// The device must outlive the server.
   explicit PtyServer(EmulatedDevice& device);
+  /// With the time of another one, whose device is coupled to this one.
+  PtyServer(EmulatedDevice& device, const PtyServer& other);
   ~PtyServer();
   PtyServer(const PtyServer&) = delete;
   PtyServer& operator=(const PtyServer&) = delete;
@@ -27,12 +32,27 @@ class PtyServer {
 
   double Now() const;
 
+  /// Faults that will happen, in any order.
+  void Inject(const LineFault& fault) { faults_.Inject(fault); }
+
+  /// Serves several that have the same time, in turns, as long as `goes_on` says at each moment [s]. At any
+  /// moment the devices live up to it in this order.
+  static void ServeAll(std::span<PtyServer* const> servers, const std::function<bool(double now)>& goes_on,
+                       double poll = 0.02);
+
+  /// Lets the device live up to a time because one before it in this order needs that.
+  void CatchUp(double time) { TakeSendings(time); }
+
  private:
   struct Outgoing;
 
-  void TakeSendings();
+  PtyServer(EmulatedDevice& device, double start);
+
+  void TakeSendings(double time);
   double NextSend() const;
   void SendDue();
+  Bytes PieceOf(const Sending& sending, std::size_t from, std::size_t to);
+  void Receive(ByteView bytes, double time);
   int HostBaud() const;
 
   EmulatedDevice& device_;
@@ -40,6 +60,8 @@ class PtyServer {
   int host_end_ = -1;  // kept open, so that a program may come and go
   std::string path_;
   double start_;
+  double held_until_ = 0.0;  // by a fault [s]
+  LineFaults faults_;
   std::unique_ptr<Outgoing> outgoing_;
 };
 

@@ -51,17 +51,43 @@ class Repeater {
   std::array<int, std::variant_size_v<RobotCall>> counts_{};
 };
 
+/// One that takes all of its measurements again.
+RobotCall Again(Robot& robot, RobotCall call) {
+  if (auto* now = std::get_if<NowCall>(&call)) now->time = robot.Now();
+  if (auto* mounting = std::get_if<MountingCall>(&call)) mounting->T_base_laser = robot.T_base_laser();
+  if (auto* state = std::get_if<StateCall>(&call)) state->state = robot.State();
+  if (auto* scan = std::get_if<ScanCall>(&call)) scan->scan = robot.TakeScan();
+  if (auto* sweep = std::get_if<SweepCall>(&call)) sweep->sweep = robot.TakeSweep();
+  if (auto* safety = std::get_if<SafetySweepsCall>(&call)) safety->sweeps = robot.TakeSafetySweeps();
+  if (const auto* drive = std::get_if<DriveCall>(&call)) robot.Drive(drive->velocity);
+  if (const auto* wait = std::get_if<WaitCall>(&call)) robot.WaitUntil(wait->until);
+  return call;
+}
+
+void RequireTheSame(const RobotCall& again, const RobotCall& recorded, const RobotLog& log, std::size_t i,
+                    const Robot& robot) {
+  if (EncodeCall(again) == EncodeCall(recorded)) return;
+  Fail(
+      "{}: the simulated robot departs from the log at call {} ({:.3f} s), {}; go on with the world, the "
+      "seed, the options and the version of the program that wrote the log",
+      log.name(), i + 1, robot.Now(), Describe(recorded));
+}
+
 }  // namespace
 
 void FastForward(SimulatedRobot& robot, RobotLog& log) {
   Repeater repeater(robot);
   for (std::size_t i = 0; i < log.size(); ++i) {
     const RobotCall recorded = log.Read(i);
-    if (EncodeCall(repeater.Repeated(recorded)) == EncodeCall(recorded)) continue;
-    Fail(
-        "{}: the simulated robot departs from the log at call {} ({:.3f} s), {}; go on with the world, the "
-        "seed, the options and the version of the program that wrote the log",
-        log.name(), i + 1, robot.Now(), Describe(recorded));
+    RequireTheSame(repeater.Repeated(recorded), recorded, log, i, robot);
+  }
+}
+
+void RepeatAll(Robot& robot, RobotLog& log) {
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const RobotCall recorded = log.Read(i);
+    const RobotCall again = Again(robot, recorded);
+    RequireTheSame(again, recorded, log, i, robot);
   }
 }
 

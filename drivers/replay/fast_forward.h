@@ -12,4 +12,7 @@ namespace ariadne::drivers {
 /// it throws an Error.
 void FastForward(SimulatedRobot& robot, RobotLog& log);
 
+/// The same with any robot that gives the same answers once more, by repeating all of its calls.
+void RepeatAll(Robot& robot, RobotLog& log);
+
 }  // namespace ariadne::drivers

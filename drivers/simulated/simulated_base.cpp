@@ -85,7 +85,18 @@ void SimulatedBase::BrakeIfStale() {
 
 void SimulatedBase::StepUntil(double time) {
   BrakeIfStale();
-  const WheelStep step = wheels_.Accelerate(time - now_);
+  MoveBy(wheels_.Accelerate(time - now_), time);
+}
+
+double SimulatedBase::Roll(const control::WheelPair& ways, double time) {
+  if (!(time > now_)) return 1.0;
+  if (ways.left != 0.0 || ways.right != 0.0) return MoveBy(wheels_.Roll(ways), time);
+  now_ = time;
+  return 1.0;
+}
+
+/// Returns the share of the step that nothing stopped.
+double SimulatedBase::MoveBy(const WheelStep& step, double time) {
   const slam::Pose2 T_map_wanted = T_map_base_ * wheels_.Motion(step, 1.0);
   const bool free = MayGoTo(T_map_wanted, time);
   const double share = free ? 1.0 : ShareUntilContact(step, time);
@@ -97,6 +108,7 @@ void SimulatedBase::StepUntil(double time) {
   if (!free) wheels_.Block();
   odometry_.Update(wheels_.Ticks());
   NoteContact(T_map_wanted, !free);
+  return share;
 }
 
 bool SimulatedBase::MayGoTo(const slam::Pose2& T_map_base, double time) const {

@@ -60,6 +60,10 @@ class SimulatedBase {
   void Drive(const Velocity& velocity);
   void WaitUntil(double time);
 
+  /// Instead of both, where somebody else's motors turn the wheels, which emulates them: the way of the
+  /// encoders [m] from now to `time` [s]. Returns the share of it that nothing stopped.
+  double Roll(const control::WheelPair& ways, double time);
+
   /// Brakes, and returns when the wheels stand.
   void Halt();
 
@@ -79,6 +83,7 @@ class SimulatedBase {
  private:
   double NextStep() const;
   void StepUntil(double time);
+  double MoveBy(const WheelStep& step, double time);
   void BrakeIfStale();
   bool MayGoTo(const slam::Pose2& T_map_base, double time) const;
   double ShareUntilContact(const WheelStep& step, double time) const;

@@ -60,6 +60,7 @@ class SimulatedRobot : public Robot {
   void Drive(const Velocity& velocity) override { base_.Drive(velocity); }
   void WaitUntil(double time) override { base_.WaitUntil(time); }
 
+  const SimulatedBase& base() const { return base_; }
   const slam::Pose2& T_map_base_true() const { return base_.T_map_base_true(); }
   const std::vector<TruePose>& path_true() const { return base_.path_true(); }
   const std::vector<Collision>& collisions() const { return base_.collisions(); }

@@ -52,8 +52,12 @@ WheelStep Wheels::Accelerate(double duration) {
   const Ramp turning =
       Approach(velocity_.turning, target_.turning, options_.turning_acceleration, duration);
   velocity_ = {forward.speed, turning.speed};
+  return Roll(control::WheelsOf(forward.way, turning.way, drawing_.track));
+}
+
+WheelStep Wheels::Roll(const control::WheelPair& encoded) {
   WheelStep step;
-  step.encoded = control::WheelsOf(forward.way, turning.way, drawing_.track);
+  step.encoded = encoded;
   step.rolled.left = step.encoded.left * left_scale_ + Slip(step.encoded.left);
   step.rolled.right = step.encoded.right * right_scale_ + Slip(step.encoded.right);
   return step;

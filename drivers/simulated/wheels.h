@@ -65,6 +65,9 @@ class Wheels {
   /// Accelerates for a time [s] and says what the wheels do meanwhile; draws the slip.
   WheelStep Accelerate(double duration);
 
+  /// The same where other motors turn the wheels, by ways that their encoders would count [m].
+  WheelStep Roll(const control::WheelPair& encoded);
+
   /// The encoders count a share of the step.
   void Turn(const WheelStep& step, double share);
 

@@ -10,6 +10,7 @@ void AddRegisterCommand(CLI::App& app, int& status);
 void AddOptimizeCommand(CLI::App& app, int& status);
 void AddExploreCommand(CLI::App& app, int& status);
 void AddRunCommand(CLI::App& app, int& status);
+void AddEmulateCommand(CLI::App& app);
 void AddConvertCommand(CLI::App& app);
 void AddInfoCommand(CLI::App& app);
 void AddConfigCommand(CLI::App& app);
@@ -19,5 +20,9 @@ void AddExtractCommand(CLI::App& app);
 void AddMapCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
+void AddDevicesCommand(CLI::App& app, int& status);
+void AddLogCommand(CLI::App& app);
+void AddCalibrateCommand(CLI::App& app);
+void AddCheckCommand(CLI::App& app, int& status);
 
 }  // namespace ariadne::experiments

@@ -9,6 +9,7 @@ namespace {
 constexpr double kNear = 0.1;                          // touches the outline, as scanners measure it [m]
 constexpr double kHalfLength = 0.4, kHalfWidth = 0.3;  // of the robot (Sec. 2.1) [m]
 constexpr double kBeyond = 0.05;                       // [m]
+constexpr double kJustNow = 0.001;                     // [s]
 
 /// How far a place is from the robot's outline; negative inside.
 double FromOutline(const Eigen::Vector2d& p_base) {
@@ -25,6 +26,22 @@ Eigen::Vector2d SideThatMoved(const control::DriveCommand& command) {
 
 }  // namespace
 
+slam::Pose2 MovedSince(const slam::LaserSweep& sweep, const slam::ScannerModel& scanner,
+                       const drivers::RobotState& now) {
+  const double age = now.stamp - sweep.stamp - scanner.turn_period * scanner.turns_per_sweep;
+  if (std::abs(age) < kJustNow) return {};
+  return slam::Pose2::Exp({now.velocity.forward * age, 0.0, now.velocity.turning * age});
+}
+
+std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner,
+                                             const drivers::RobotState& now) {
+  std::vector<drivers::SafetySweep> sweeps = robot.TakeSafetySweeps();
+  if (!sweeps.empty()) return sweeps;
+  slam::LaserSweep sweep = robot.TakeSweep();
+  const slam::Pose3 T_now_then = slam::ToPose3(MovedSince(sweep, scanner, now).Inverse());
+  return {{T_now_then * robot.T_base_laser(), scanner, std::move(sweep)}};
+}
+
 std::vector<Eigen::Vector2d> PointsOf(std::span<const drivers::SafetySweep> sweeps) {
   std::vector<Eigen::Vector2d> points_base;
   for (const drivers::SafetySweep& sweep : sweeps) {
@@ -38,10 +55,11 @@ std::vector<Eigen::Vector2d> PointsOf(std::span<const drivers::SafetySweep> swee
   return points_base;
 }
 
-Eigen::Vector2d ContactPlace(drivers::Robot& robot, const control::DriveCommand& command) {
+Eigen::Vector2d ContactPlace(drivers::Robot& robot, const slam::ScannerModel& scanner,
+                             const control::DriveCommand& command) {
   Eigen::Vector2d contact = SideThatMoved(command);
   double nearest = kNear;
-  for (const Eigen::Vector2d& p_base : PointsOf(robot.TakeSafetySweeps())) {
+  for (const Eigen::Vector2d& p_base : PointsOf(LookAround(robot, scanner, robot.State()))) {
     if (FromOutline(p_base) >= nearest) continue;
     nearest = FromOutline(p_base);
     contact = p_base;

@@ -113,6 +113,7 @@ class PathDrive {
   const std::function<bool()>& stop_;
   slam::Pose2 advanced_to_;
   double advanced_at_ = 0.0;                     // [s]
+  double due_ = 0.0;                             // the next command: real robots take time to answer [s]
   std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
   BesideMemory beside_;
   std::vector<Eigen::Vector2d> known_map_;
@@ -149,7 +150,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
     const drivers::RobotState state = robot_.State();
     const drivers::Velocity& velocity = state.velocity;
     std::vector<Eigen::Vector2d> points_base =
-        beside_.Update(robot_.TakeSafetySweeps(), state.odometry.T_odom_base);
+        beside_.Update(LookAround(robot_, localizer_.scanner(), state), state.odometry.T_odom_base);
     const std::size_t seen = points_base.size();
     if (known) {
       const std::vector<Eigen::Vector2d> more = KnownInTheWay();
@@ -180,7 +181,10 @@ void PathDrive::NoteAdvance() {
 
 void PathDrive::Go(const control::DriveCommand& command) {
   robot_.Drive({command.forward, command.turning});
-  robot_.WaitUntil(robot_.Now() + options_.follow.period);
+  const double told = robot_.Now();
+  if (told > due_ + options_.follow.period) due_ = told;  // the first one, or a robot that was slow
+  due_ += options_.follow.period;
+  robot_.WaitUntil(due_);
   const slam::Pose2 now = localizer_.Update();
   const slam::Pose2& before = report_.poses_map.back();
   report_.length += (now.translation - before.translation).norm();
@@ -307,7 +311,7 @@ DriveReport PathDrive::Run() {
     if (!gives_up && (!touches || held_at_start)) continue;
     report_.reason = Reason(gives_up);
     Halt();
-    if (!gives_up) held_by_base_ = ContactPlace(robot_, *wanted);
+    if (!gives_up) held_by_base_ = ContactPlace(robot_, localizer_.scanner(), *wanted);
     if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);
     BackOff();
     break;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "experiments/mission/contact.h"
+
 namespace ariadne::experiments {
 namespace {
 
@@ -23,7 +25,7 @@ Localizer::Localizer(drivers::Robot& robot, const slam::Pose2& T_map_base,
       options_(options),
       T_map_base_(T_map_base),
       covariance_(DiagonalOf(kStandingPosition, kStandingAngle)),
-      last_T_odom_base_(robot.State().odometry.T_odom_base) {}
+      last_(robot.State()) {}
 
 const slam::Pose2& Localizer::Update() {
   Predict();
@@ -33,9 +35,9 @@ const slam::Pose2& Localizer::Update() {
 }
 
 void Localizer::Predict() {
-  const slam::Pose2 T_odom_base = robot_.State().odometry.T_odom_base;
-  const slam::Pose2 moved = last_T_odom_base_.Inverse() * T_odom_base;
-  last_T_odom_base_ = T_odom_base;
+  const drivers::RobotState now = robot_.State();
+  const slam::Pose2 moved = last_.odometry.T_odom_base.Inverse() * now.odometry.T_odom_base;
+  last_ = now;
   T_map_base_ = T_map_base_ * moved;
   const double way = moved.translation.norm(), turn = std::abs(moved.angle);
   way_ += way;
@@ -50,7 +52,8 @@ void Localizer::Predict() {
 void Localizer::Correct() {
   way_ = turn_ = 0.0;
   const slam::LaserSweep sweep = robot_.TakeSweep();
-  const slam::Pose3 T_base_laser = robot_.T_base_laser();
+  const slam::Pose3 T_base_laser =
+      slam::ToPose3(MovedSince(sweep, scanner_, last_).Inverse()) * robot_.T_base_laser();
   std::vector<Eigen::Vector3d> points_base;
   for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
     const double range = sweep.ranges[i];

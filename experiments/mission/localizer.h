@@ -51,6 +51,7 @@ class Localizer {
 
   const slam::Pose2& T_map_base() const { return T_map_base_; }
   const slam::Pose2::Square& covariance() const { return covariance_; }
+  const slam::ScannerModel& scanner() const { return scanner_; }
   int corrections() const { return corrections_; }
 
  private:
@@ -63,7 +64,7 @@ class Localizer {
   LocalizerOptions options_;
   slam::Pose2 T_map_base_;
   slam::Pose2::Square covariance_;
-  slam::Pose2 last_T_odom_base_;
+  drivers::RobotState last_;
   double way_ = 0.0, turn_ = 0.0;  // since the last sweep
   int corrections_ = 0;
 };

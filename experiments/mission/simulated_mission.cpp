@@ -13,10 +13,9 @@ constexpr double kTruePathStep = 0.05;
 /// been brought to the end of that already.
 class Watcher {
  public:
-  Watcher(const drivers::SimulatedRobot& robot, const FloorToExplore& floor,
-          const FloorScannerOptions& scanner)
+  Watcher(const TrueRobot& robot, const FloorToExplore& floor, const FloorScannerOptions& scanner)
       : robot_(robot), floor_(floor), scanner_(scanner), seen_(floor.cover.places_map.size()) {
-    result_.path_world.push_back(robot.path_true().front().T_map_base.translation);
+    result_.path_world.push_back(robot.base.path_true().front().T_map_base.translation);
   }
 
   TrueStop Note(const MissionStop& stop, const MissionMap& map);
@@ -28,7 +27,7 @@ class Watcher {
   void NotePath(double until);
   std::vector<drivers::Collision> CollisionsUntil(double time) const;
 
-  const drivers::SimulatedRobot& robot_;
+  const TrueRobot& robot_;
   const FloorToExplore& floor_;
   const FloorScannerOptions& scanner_;
   std::vector<bool> seen_;
@@ -54,7 +53,7 @@ double Watcher::MappedShare(std::span<const planning::LabelledPolygon> area_map)
 
 /// Goes on along the path to where the robot was at a time [s].
 void Watcher::NotePath(double until) {
-  const std::vector<drivers::TruePose>& path = robot_.path_true();
+  const std::vector<drivers::TruePose>& path = robot_.base.path_true();
   for (; path_noted_ + 1 < path.size() && path[path_noted_ + 1].time <= until; ++path_noted_) {
     const Eigen::Vector2d& to = path[path_noted_ + 1].T_map_base.translation;
     path_ += (to - path[path_noted_].T_map_base.translation).norm();
@@ -63,7 +62,7 @@ void Watcher::NotePath(double until) {
 }
 
 std::vector<drivers::Collision> Watcher::CollisionsUntil(double time) const {
-  std::vector<drivers::Collision> collisions = robot_.collisions();
+  std::vector<drivers::Collision> collisions = robot_.base.collisions();
   std::erase_if(collisions, [time](const drivers::Collision& collision) { return collision.time > time; });
   return collisions;
 }
@@ -71,9 +70,9 @@ std::vector<drivers::Collision> Watcher::CollisionsUntil(double time) const {
 TrueStop Watcher::Note(const MissionStop& stop, const MissionMap& map) {
   TrueStop truth;
   NotePath(stop.time);
-  truth.T_world_base = robot_.path_true()[path_noted_].T_map_base;
+  truth.T_world_base = robot_.base.path_true()[path_noted_].T_map_base;
   if (result_.truth.empty()) result_.T_world_map = truth.T_world_base * stop.T_map_base.Inverse();
-  result_.T_world_laser.push_back(slam::ToPose3(truth.T_world_base) * robot_.T_base_laser());
+  result_.T_world_laser.push_back(slam::ToPose3(truth.T_world_base) * robot_.T_base_laser);
   truth.path = path_;
   truth.covered = CoveredFrom(FromAbove(result_.T_world_laser.back()));
   truth.mapped = MappedShare(map.Area(0));
@@ -108,6 +107,14 @@ drivers::SimulatedRobotOptions MissionRobotOptions() {
 }
 
 SimulatedMission RunSimulatedMission(const drivers::SimulatedRobot& truth, drivers::Robot& robot,
+                                     const FloorToExplore& floor, const FloorScannerOptions& scanner,
+                                     const MissionOptions& options, std::uint64_t seed,
+                                     const MissionEvents& events, const TrueStopCallback& on_true_stop) {
+  return RunSimulatedMission(TrueRobot{truth.base(), truth.T_base_laser()}, robot, floor, scanner, options,
+                             seed, events, on_true_stop);
+}
+
+SimulatedMission RunSimulatedMission(const TrueRobot& truth, drivers::Robot& robot,
                                      const FloorToExplore& floor, const FloorScannerOptions& scanner,
                                      const MissionOptions& options, std::uint64_t seed,
                                      const MissionEvents& events, const TrueStopCallback& on_true_stop) {

@@ -40,6 +40,19 @@ SimulatedMission RunSimulatedMission(const drivers::SimulatedRobot& truth, drive
                                      const MissionEvents& events = {},
                                      const TrueStopCallback& on_true_stop = {});
 
+/// What truly moves through the world, and where the 3D scanner truly sits on it.
+struct TrueRobot {
+  const drivers::SimulatedBase& base;
+  slam::Pose3 T_base_laser;
+};
+
+/// The same with any robot whose base is simulated.
+SimulatedMission RunSimulatedMission(const TrueRobot& truth, drivers::Robot& robot,
+                                     const FloorToExplore& floor, const FloorScannerOptions& scanner,
+                                     const MissionOptions& options, std::uint64_t seed,
+                                     const MissionEvents& events = {},
+                                     const TrueStopCallback& on_true_stop = {});
+
 /// How many stops, or how much way [m], it took to see a share of the walls; infinite where it was not
 /// reached.
 double StopsTo(const SimulatedMission& mission, double share);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "drivers/simulated/ais_scanner.h"
 #include "experiments/run/data_path.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
@@ -79,14 +80,16 @@ void MissionRuns::Keep(const MissionTrial& trial) {
 
 MissionTrial MissionRuns::RunOne(const MissionWorld& world, const MissionVariant& way, MissionTrial trial) {
   const auto seed = static_cast<std::uint64_t>(trial.seed);
-  drivers::SimulatedRobot robot(world.scene, way.robot, seed);
+  const std::unique_ptr<ExploredRobot> robot =
+      MakeExploredRobot(way.robot, MissionHardwareOptions(), {}, world.scene, seed, nullptr);
   int scans = 0;
   const auto on_stop = [&](const MissionStop&, const TrueStop& truth) {
     Say(trial,
         fmt::format("scan {}, {:.0f} m, {} % of the walls", ++scans, truth.path, Percent(truth.covered)));
   };
   const SimulatedMission mission =
-      RunSimulatedMission(robot, robot, world.floor, options_.scanner, way.mission, seed, {}, on_stop);
+      RunSimulatedMission({*robot->truth(), drivers::AisMounting(way.robot.ais).T_base_laser},
+                          robot->robot(), world.floor, options_.scanner, way.mission, seed, {}, on_stop);
   MissionTrial summary = SummarizeMission(
       mission, JudgeMission(mission.mission.scans, mission.T_world_laser, world, Parallel(1)),
       options_.target);

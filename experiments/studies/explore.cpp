@@ -4,9 +4,9 @@
 
 #include <memory>
 
-#include "drivers/replay/fast_forward.h"
 #include "drivers/replay/recording_robot.h"
 #include "drivers/replay/replay_robot.h"
+#include "drivers/simulated/ais_scanner.h"
 #include "experiments/run/data_path.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
@@ -25,30 +25,36 @@ drivers::World LoadExploreWorld(const ExploreStudyOptions& options) {
   return drivers::LoadWorld(ExpandDataPath(options.world).string(), options.geometry);
 }
 
-/// The simulated robot, whose every answer is on the run's log before the mission gets it; a run that is
-/// resumed first hears what the log has.
-class LoggedSimulation {
+/// A robot whose every answer is on the run's log before the mission gets it; a run that is resumed first
+/// hears what the log has.
+class LoggedExploration {
  public:
-  LoggedSimulation(drivers::SimulatedRobot& robot, const std::filesystem::path& path) {
+  LoggedExploration(ExploredRobot& robot, const std::filesystem::path& path) {
+    auto seam = drivers::Seam::kNone;
     if (std::filesystem::exists(path)) {
       old_ = std::make_unique<drivers::RobotLog>(drivers::ReadRobotLog(path));
-      drivers::FastForward(robot, *old_);
+      seam = robot.Resume(*old_);
     }
     log_ = std::make_unique<drivers::RobotLogWriter>(path);
     if (old_) {
-      robot_ = std::make_unique<drivers::ReplayRobot>(
-          *old_, drivers::LiveRobot{[&robot]() -> drivers::Robot& { return robot; }, drivers::Seam::kNone,
-                                    log_.get()});
+      auto replay = std::make_unique<drivers::ReplayRobot>(
+          *old_,
+          drivers::LiveRobot{[&robot]() -> drivers::Robot& { return robot.robot(); }, seam, log_.get()});
+      replay_ = replay.get();
+      robot_ = std::move(replay);
     } else {
-      robot_ = std::make_unique<drivers::RecordingRobot>(robot, *log_);
+      robot_ = std::make_unique<drivers::RecordingRobot>(robot.robot(), *log_);
     }
   }
   drivers::LoggedRobot& robot() { return *robot_; }
+  /// What is decided now was decided before, and has been done.
+  bool IsReplayed() const { return replay_ != nullptr && replay_->Replayed(); }
 
  private:
   std::unique_ptr<drivers::RobotLog> old_;
   std::unique_ptr<drivers::RobotLogWriter> log_;
   std::unique_ptr<drivers::LoggedRobot> robot_;
+  const drivers::ReplayRobot* replay_ = nullptr;
 };
 
 /// Each scan is a file of its own before the robot drives on.
@@ -81,48 +87,127 @@ MissionEvents EventsOf(const RunDirectory& run, ProgressDisplay& progress, drive
   return events;
 }
 
+/// What is the same of all explorations.
+struct ExploreRun {
+  const ExploreStudyOptions& options;
+  const RunDirectory& run;
+  ProgressDisplay& progress;
+  const std::function<bool()>& stop;
+  const std::function<bool(const PlannedDrive&)>& approve;
+
+  std::uint64_t seed() const { return static_cast<std::uint64_t>(options.seed); }
+  MissionOptions mission() const {
+    MissionOptions mission = options.mission;
+    mission.mapper.icp.threads = options.threads;
+    return mission;
+  }
+  ExploringRobotOptions robot() const {
+    ExploringRobotOptions robot = options.robot;
+    robot.threads = options.threads;
+    return robot;
+  }
+};
+
+/// Those of a mission that is driven: who refuses a drive ends the mission, and how it ends is not on the
+/// log. What the log has was approved before.
+MissionEvents DrivenEventsOf(const ExploreRun& exploration, LoggedExploration& logged, UnloggedEnd& driven,
+                             StepKeeper& steps) {
+  const auto rejected = std::make_shared<bool>(false);
+  const std::function<bool()> stopped =
+      driven.Latched([rejected, &stop = exploration.stop] { return *rejected || (stop && stop()); });
+  MissionEvents events = EventsOf(exploration.run, exploration.progress, logged.robot(), steps, stopped);
+  if (!exploration.approve) return events;
+  events.approve = [rejected, stopped, &logged, &approve = exploration.approve](const PlannedDrive& drive) {
+    if (logged.IsReplayed()) return true;
+    *rejected = !approve(drive);
+    return !stopped();
+  };
+  return events;
+}
+
+/// In a world that is known to who looks on, who judges it.
+SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld& world) {
+  const auto& [options, run, progress, stop, approve] = exploration;
+  const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
+      exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), &run);
+  LoggedExploration logged(*robot, run.File("robot.log"));
+  UnloggedEnd driven(logged.robot(), robot->robot());
+  StepKeeper steps(run);
+  std::size_t stops = 0;
+  ProgressDisplay& display = progress;
+  const auto on_true_stop = [&stops, &display](const MissionStop& at, const TrueStop& truth) {
+    display.Keep(StopLine(stops++, at, &truth));
+  };
+  SimulatedMission mission =
+      RunSimulatedMission({*robot->truth(), drivers::AisMounting(options.robot.ais).T_base_laser}, driven,
+                          world.floor, options.scanner, exploration.mission(), exploration.seed(),
+                          DrivenEventsOf(exploration, logged, driven, steps), on_true_stop);
+  if (mission.mission.end != MissionEnd::kStopped) steps.OnEnd(mission.mission);
+  return mission;
+}
+
+/// In a building that nobody knows.
+SimulatedMission ExploreForReal(const ExploreRun& exploration) {
+  const auto& [options, run, progress, stop, approve] = exploration;
+  const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
+      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), &run, stop);
+  LoggedExploration logged(*robot, run.File("robot.log"));
+  UnloggedEnd driven(logged.robot(), robot->robot());
+  StepKeeper steps(run);
+  MissionEvents events = DrivenEventsOf(exploration, logged, driven, steps);
+  ProgressDisplay& display = progress;
+  events.on_stop = [&display, keep = events.on_stop](const MissionStop& at, const MissionMap& map) {
+    display.Keep(StopLine(map.size() - 1, at));
+    keep(at, map);
+  };
+  SimulatedMission mission;
+  mission.mission = RunMission(driven, exploration.mission(), exploration.seed(), events);
+  if (mission.mission.end != MissionEnd::kStopped) steps.OnEnd(mission.mission);
+  return mission;
+}
+
+/// The end of a run: the model, and the page.
+std::string FinishExploration(const ExploreRun& exploration, const SimulatedMission& mission,
+                              const std::string& of, const std::string& text) {
+  const auto& [options, run, progress, stop, approve] = exploration;
+  const std::size_t stops = mission.mission.stops.size();
+  const bool called_off = mission.mission.end == MissionEnd::kRejected && stop && stop();
+  if (mission.mission.end == MissionEnd::kStopped || called_off) {
+    run.WriteProgress("stopped", stops, 0);
+    return text + "stopped; --resume goes on from here\n";
+  }
+  BuildingModel model{slam::Octree(options.model.octree), {}, {}};
+  if (options.integrate)
+    model = WriteExploredModel(mission.mission, options.mission.mapper.scan, options.model, run, progress);
+  FinishRun(run, fmt::format("Exploration of {}", of), stops, ExplorationView(mission, model));
+  return text;
+}
+
 }  // namespace
 
 void CheckExplore(const ExploreStudyOptions& options) {
   CheckOptions(options, "");
-  LoadExploreWorld(options);
+  if (options.robot.kind != RobotKind::kHardware) LoadExploreWorld(options);
 }
 
 std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
-                       ProgressDisplay& progress, const std::function<bool()>& stop) {
+                       ProgressDisplay& progress, const std::function<bool()>& stop,
+                       const std::function<bool(const PlannedDrive&)>& approve) {
   WriteManifest(run, {});
-  progress.Show("what there is to see");
-  const MissionWorld world = PrepareMissionWorld(LoadExploreWorld(options), options.robot, options.scanner,
-                                                 options.judge, Parallel(options.threads));
-  drivers::SimulatedRobotOptions robot_options = options.robot;
-  robot_options.threads = options.threads;
-  MissionOptions mission_options = options.mission;
-  mission_options.mapper.icp.threads = options.threads;
-  const auto seed = static_cast<std::uint64_t>(options.seed);
-  drivers::SimulatedRobot robot(world.scene, robot_options, seed);
-  LoggedSimulation logged(robot, run.File("robot.log"));
-  UnloggedEnd driven(logged.robot(), robot);
-  StepKeeper steps(run);
-  std::size_t stops = 0;
-  const auto on_true_stop = [&](const MissionStop& at, const TrueStop& truth) {
-    progress.Keep(StopLine(stops++, at, truth));
-  };
-  const SimulatedMission mission = RunSimulatedMission(
-      robot, driven, world.floor, options.scanner, mission_options, seed,
-      EventsOf(run, progress, logged.robot(), steps, driven.Latched(stop)), on_true_stop);
-  progress.Show("the report");
-  std::string text = ReportExploration(mission, world, run, Parallel(options.threads));
-  if (mission.mission.end == MissionEnd::kStopped) {
-    run.WriteProgress("stopped", stops, 0);
-    return text + "stopped; --resume goes on from here\n";
+  const ExploreRun exploration{options, run, progress, stop, approve};
+  if (options.robot.kind == RobotKind::kHardware) {
+    progress.Show("finding the devices");
+    const SimulatedMission mission = ExploreForReal(exploration);
+    return FinishExploration(exploration, mission, "a real building", ReportUnjudged(mission.mission, run));
   }
-  steps.OnEnd(mission.mission);
-  BuildingModel model{slam::Octree(options.model.octree), {}, {}};
-  if (options.integrate)
-    model = WriteExploredModel(mission.mission, options.mission.mapper.scan, options.model, run, progress);
-  FinishRun(run, fmt::format("Exploration of {}", world.scene->world().name), stops,
-            ExplorationView(mission, model));
-  return text;
+  progress.Show("what there is to see");
+  const Parallel parallel(options.threads);
+  const MissionWorld world = PrepareMissionWorld(LoadExploreWorld(options), options.robot, options.scanner,
+                                                 options.judge, parallel);
+  const SimulatedMission mission = ExploreWorld(exploration, world);
+  progress.Show("the report");
+  return FinishExploration(exploration, mission, world.scene->world().name,
+                           ReportExploration(mission, world, run, parallel));
 }
 
 }  // namespace ariadne::experiments

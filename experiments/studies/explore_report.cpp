@@ -107,12 +107,14 @@ void WriteExploredMap(const MissionResult& result, const RunDirectory& run) {
 
 }  // namespace
 
-std::string StopLine(std::size_t index, const MissionStop& stop, const TrueStop& truth) {
+std::string StopLine(std::size_t index, const MissionStop& stop, const TrueStop* truth) {
   const std::string drive = stop.drive == DriveEnd::kBlocked ? ", gave up: " + stop.reason
                             : stop.of_disc                   ? ", by the way of a disc"
                                                              : "";
-  return fmt::format("scan {:3}: {:5.0f} s, {:4.0f} m, {:5.1f} % of the walls, {:.0f} m unseen{}{}", index,
-                     stop.time, truth.path, 100.0 * truth.covered, stop.unseen, drive,
+  const std::string covered =
+      truth == nullptr ? "" : fmt::format(" {:5.1f} % of the walls,", 100.0 * truth->covered);
+  return fmt::format("scan {:3}: {:5.0f} s, {:4.0f} m,{} {:.0f} m unseen{}{}", index, stop.time,
+                     truth == nullptr ? stop.distance : truth->path, covered, stop.unseen, drive,
                      stop.registered ? "" : ", NOT REGISTERED: " + stop.message);
 }
 
@@ -140,6 +142,25 @@ Table StopTable(const SimulatedMission& mission) {
       for (const double value : {pose.translation.x(), pose.translation.y(), pose.angle})
         row.push_back(Exact(value));
     }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table StopTable(const MissionResult& mission) {
+  Table table{{"time_s", "distance_m", "gain", "registered", "blocked", "leg_only", "of_disc", "x_m", "y_m",
+               "angle_rad", "guess_x_m", "guess_y_m", "guess_angle_rad"},
+              {}};
+  const auto flag = [](bool value) { return value ? 1.0 : 0.0; };
+  for (const MissionStop& stop : mission.stops) {
+    std::vector<std::string> row;
+    for (const double value :
+         {stop.time, stop.distance, stop.view ? static_cast<double>(stop.view->gain) : 0.0,
+          flag(stop.registered), flag(stop.drive == DriveEnd::kBlocked), flag(stop.leg_only),
+          flag(stop.of_disc), stop.T_map_base.translation.x(), stop.T_map_base.translation.y(),
+          stop.T_map_base.angle, stop.T_map_base_guess.translation.x(),
+          stop.T_map_base_guess.translation.y(), stop.T_map_base_guess.angle})
+      row.push_back(Exact(value));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -229,6 +250,31 @@ std::string ReportExploration(const SimulatedMission& mission, const MissionWorl
              100.0 * verdict.translation_rms, 1000.0 * verdict.map_error_mean, refused,
              mission.collisions.size()) +
          CollisionLines(mission);
+}
+
+std::string ReportUnjudged(const MissionResult& result, const RunDirectory& run) {
+  run.WriteCsv("stops.csv", StopTable(result));
+  SimulatedMission as_driven;
+  as_driven.mission = result;
+  as_driven.path_world = result.path_map;
+  slam::WriteSvg(run.File("exploration.svg"), DrawMission(as_driven, {}));
+  WriteExploredPoses(result, run);
+  WriteExploredMap(result, run);
+  std::vector<slam::Pose3> T_map_laser;
+  for (const slam::PosedCloud& scan : result.scans) T_map_laser.push_back(scan.T_map_laser);
+  WriteMissionTrajectory(run, "trajectory.tum", T_map_laser, result.stops);
+  const auto refused = std::ranges::count(result.registered, false);
+  run.WriteJson("metrics.json", {{"end", Describe(result.end)},
+                                 {"scans", result.scans.size()},
+                                 {"time_s", result.time},
+                                 {"distance_m", result.distance},
+                                 {"unseen_m", result.stops.back().unseen},
+                                 {"free_area_m2", result.stops.back().free_area},
+                                 {"refused", refused}});
+  return fmt::format(
+      "{} scans, {:.0f} m, {:.0f} min: {}\n{:.0f} m2 known to be free; {} scans not registered\n",
+      result.scans.size(), result.distance, result.time / 60.0, Describe(result.end),
+      result.stops.back().free_area, refused);
 }
 
 }  // namespace ariadne::experiments

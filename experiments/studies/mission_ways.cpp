@@ -41,6 +41,16 @@ void ScaleWheelErrors(double factor, drivers::SimulatedRobotOptions& robot) {
   robot.base.wheels.slip *= factor;
 }
 
+void SetRobot(const std::string& name, ExploringRobotOptions& robot) {
+  if (name == "without_safety") {
+    robot.safety.installed = false;
+  } else if (name == "emulated") {
+    robot.kind = RobotKind::kEmulated;
+  } else {
+    Fail("variants.robots: there is no \"{}\"; there are emulated, without_safety", name);
+  }
+}
+
 std::vector<double> ListedNumbers(const std::string& text, const std::string& name) {
   return ListedNames(text).empty() ? std::vector<double>{} : ParseNumbers(text, "variants." + name);
 }
@@ -61,9 +71,9 @@ std::vector<std::string> ListedNames(const std::string& text) {
 std::vector<MissionVariant> MissionVariants(const MissionOptions& mission,
                                             const drivers::SimulatedRobotOptions& robot,
                                             const MissionVariantOptions& variants) {
-  std::vector<MissionVariant> ways{{"default", mission, robot}};
+  std::vector<MissionVariant> ways{{"default", mission, {robot}}};
   const auto add = [&](const std::string& name) -> MissionVariant& {
-    return ways.emplace_back(MissionVariant{name, mission, robot});
+    return ways.emplace_back(MissionVariant{name, mission, {robot}});
   };
   if (variants.paper) {
     MissionOptions& paper = add("2003").mission;
@@ -86,6 +96,7 @@ std::vector<MissionVariant> MissionVariants(const MissionOptions& mission,
   for (const std::string& name : ListedNames(variants.drives)) SetDrive(name, add("drive " + name).mission);
   for (const double factor : ListedNumbers(variants.noises, "noises"))
     ScaleWheelErrors(factor, add(fmt::format("wheels' errors x {}", factor)).robot);
+  for (const std::string& name : ListedNames(variants.robots)) SetRobot(name, add("robot " + name).robot);
   return ways;
 }
 

@@ -5,6 +5,7 @@
 
 #include "drivers/simulated/simulated_robot.h"
 #include "experiments/mission/mission_options.h"
+#include "experiments/studies/explored_robot.h"
 
 namespace ariadne::experiments {
 
@@ -17,6 +18,7 @@ struct MissionVariantOptions {
   std::string slices;
   std::string drives;
   std::string noises;
+  std::string robots;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -35,6 +37,9 @@ struct MissionVariantOptions {
           "`approach`, the paper's controller and fallbacks; `approach_first`; `odometry`, without looking "
           "around while driving: a, b, ...");
     visit("noises", self.noises, "factors of the errors of the wheels: a, b, ...");
+    visit("robots", self.robots,
+          "`emulated`, the drivers of the real robot on emulated devices; `without_safety`, the simulated "
+          "robot without safety scanners, which the emulated one has not either: a, b, ...");
   }
 };
 
@@ -42,7 +47,7 @@ struct MissionVariantOptions {
 struct MissionVariant {
   std::string name;
   MissionOptions mission;
-  drivers::SimulatedRobotOptions robot;
+  ExploringRobotOptions robot;
 };
 
 /// The mission as it is configured, `default`, and after it the variants. Error where a list cannot be

@@ -50,6 +50,7 @@ std::optional<Packet> Servo::AskOnce(const Packet& packet) {
   line_->Read(line_->Now());  // what comes late to an earlier question
   decoder_ = PacketDecoder();
   line_->Write(request);
+  asked_ = line_->Now() + static_cast<double>(request.size()) * 10.0 / options_.baud;
   const double bytes = static_cast<double>(2 * request.size() + 64);
   const double deadline = line_->Now() + bytes * 10.0 / options_.baud + options_.reply_time;
   while (line_->Now() < deadline) {
@@ -156,13 +157,12 @@ void Servo::MoveTo(double angle) {
 }
 
 ServoState Servo::State() {
-  const double asked = line_->Now();
   const Bytes data = Ask(
       Read(static_cast<std::uint8_t>(options_.id), static_cast<std::uint16_t>(Place::kPresentVelocity), 8),
       8);
   const double sign = options_.reversed ? -1.0 : 1.0;
   ServoState state;
-  state.time = 0.5 * (asked + line_->Now());
+  state.time = asked_;
   state.velocity = sign * NumberOf(data) * kVelocityUnit * kTurn;
   const double turns = NumberOf(ByteView(data).subspan(4)) / static_cast<double>(kStepsPerTurn);
   state.angle = sign * (turns - options_.zero / 360.0) * kTurn;

@@ -58,7 +58,7 @@ struct ServoOptions {
 
 /// Where a servo is, measured by itself.
 struct ServoState {
-  double time = 0.0;      // between request and reply [s]
+  double time = 0.0;      // when the request had left: adapters hold back replies, but not requests [s]
   double angle = 0.0;     // [rad]
   double velocity = 0.0;  // [rad/s]
 };
@@ -103,6 +103,7 @@ class Servo {
   ServoOptions options_;
   PacketDecoder decoder_;
   int model_ = 0;
+  double asked_ = 0.0;          // when the last request had left [s]
   std::uint64_t repeated_ = 0;  // questions
 };
 

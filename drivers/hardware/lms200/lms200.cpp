@@ -111,6 +111,17 @@ Lms200Sweep Lms200::NextSweep() {
   }
 }
 
+std::optional<Lms200Sweep> Lms200::PollSweep(double deadline) {
+  if (!streaming_) Fail("the scanner on {} is not streaming", line_->name());
+  while (const std::optional<lms200::Link::Arrived> arrived = link_.NextReply(deadline)) {
+    if (std::optional<Lms200Sweep> sweep = Accept(*arrived)) {
+      ++counters_.sweeps;
+      return sweep;
+    }
+  }
+  return std::nullopt;
+}
+
 /// Sweeps have not come for a while, or the scanner has booted.
 void Lms200::Recover() {
   ++counters_.recoveries;

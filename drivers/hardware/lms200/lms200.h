@@ -85,7 +85,11 @@ class Lms200 {
   /// Sweeps come by themselves until StopStream. Not all that the mirror makes if the line is too slow.
   void StartStream();
   Lms200Sweep NextSweep();
+  /// The next one that arrives until `deadline`, of the line's clock [s]. None may mean that the scanner is
+  /// lost: NextSweep looks for it.
+  std::optional<Lms200Sweep> PollSweep(double deadline);
   void StopStream();
+  bool streaming() const { return streaming_; }
 
   /// What the scanner says of itself.
   lms200::StatusReply AskStatus();

@@ -125,6 +125,7 @@ void Motors::SetSpeeds(const Pair& speeds, double acceleration) {
 void Motors::Stop() { SetSpeeds({0.0, 0.0}, kQuickest); }
 
 EncoderCounts Motors::Encoders() {
+  line_->Read(line_->Now());  // a recorded line knows the time of its last call only
   const double asked = line_->Now();
   const Bytes data = Ask(Code::kEncoders);
   const EncoderCounts counts{0.5 * (asked + line_->Now()), {SignedAt(data, 0), SignedAt(data, 4)}};
