@@ -85,8 +85,8 @@ struct NbvTask {
 std::vector<NbvTask> TasksOf(const std::vector<NbvVariant>& variants, const AblationNbvOptions& options) {
   std::vector<NbvTask> tasks;
   for (const NbvVariant& variant : variants) {
-    const int seeds =
-        variant.study == "policies" ? options.seeds : std::min(options.seeds, options.study_seeds);
+    const int wanted = variant.study == "policies" ? options.policy_seeds : options.study_seeds;
+    const int seeds = variant.name == "default" ? options.seeds : std::min(options.seeds, wanted);
     for (int k = 0; k < seeds; ++k)
       tasks.push_back({&variant, static_cast<std::uint64_t>(options.first_seed + k)});
   }

@@ -36,6 +36,16 @@ std::vector<NbvTrial> OfVariant(std::span<const NbvTrial> trials, const std::str
   return chosen;
 }
 
+/// The trials of `default` from the starts that a variant has been tried from.
+std::vector<NbvTrial> DefaultFromStartsOf(std::span<const NbvTrial> variant,
+                                          std::span<const NbvTrial> trials) {
+  std::uint64_t last = 0;
+  for (const NbvTrial& t : variant) last = std::max(last, t.seed);
+  std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
+  std::erase_if(base, [&](const NbvTrial& t) { return t.seed > last; });
+  return base;
+}
+
 /// For each floor the median over its seeds.
 NbvValues ByFloor(std::span<const NbvTrial> trials, const NbvMeasure& measure) {
   NbvValues medians;
@@ -153,14 +163,11 @@ Table NbvStudyTable(std::span<const NbvTrial> trials, const std::string& study,
   std::vector<NbvTrial> of_study;
   std::ranges::copy_if(trials, std::back_inserter(of_study),
                        [&](const NbvTrial& t) { return t.study == study; });
-  std::uint64_t seeds = 0;
-  for (const NbvTrial& t : of_study) seeds = std::max(seeds, t.seed);
   if (of_study.empty()) return table;
-  std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
-  std::erase_if(base, [&](const NbvTrial& t) { return t.seed > seeds; });
   std::vector<double> p_scans, p_ways;
   for (const std::string& name : NamesIn(of_study, &NbvTrial::variant)) {
     const std::vector<NbvTrial> variant = OfVariant(trials, study, name);
+    const std::vector<NbvTrial> base = DefaultFromStartsOf(variant, trials);
     const Comparison scans = Compare(ByFloor(variant, ScanRatio), ByFloor(base, ScanRatio), bootstrap);
     const Comparison ways = Compare(ByFloor(variant, PathRatio), ByFloor(base, PathRatio), bootstrap);
     p_scans.push_back(scans.p);
