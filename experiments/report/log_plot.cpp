@@ -109,7 +109,11 @@ std::string LogPlot(std::span<const LogSeries> series, std::span<const LogLevel>
     }
   }
   if (xs.empty()) Fail("there is nothing to plot over {}", x_title);
-  for (const LogLevel& level : levels) ys.push_back(level.y);
+  for (const LogLevel& level : levels) {
+    if (!(level.y > 0.0 && std::isfinite(level.y)))
+      Fail("the plot's level {} is {}, which has no logarithm", level.name, level.y);
+    ys.push_back(level.y);
+  }
   const LogScale x = ScaleOf(xs, kLeft, kWidth - kRight), y = ScaleOf(ys, kHeight - kBottom, kTop);
   std::string svg = fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:.0f} {:.0f}" font-family="sans-serif" font-size="13">)"

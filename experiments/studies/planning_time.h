@@ -28,8 +28,8 @@ struct PlanningTimeOptions {
     visit("usual_edges", self.usual_edges, Unit(""), Range{4, 100000}, "likewise");
     visit("decisions", self.decisions, Unit(""), Range{2, 100000},
           "for each number, from places all over the building");
-    visit("median_limit", self.median_limit, Unit("ms"), Range{0.0, 1e9}, "for the usual numbers");
-    visit("quantile_limit", self.quantile_limit, Unit("ms"), Range{0.0, 1e9},
+    visit("median_limit", self.median_limit, Unit("ms"), Range{1e-6, 1e9}, "for the usual numbers");
+    visit("quantile_limit", self.quantile_limit, Unit("ms"), Range{1e-6, 1e9},
           "for 99 % of the decisions with the usual numbers");
     visit("planner", self.planner, "the planner that is measured; its number of candidates is varied");
   }

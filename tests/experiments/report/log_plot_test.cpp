@@ -50,6 +50,9 @@ TEST(LogPlot, RefusesWhatHasNoLogarithm) {
   const std::vector<LogSeries> infinite{{"i", {{1.0, std::numeric_limits<double>::infinity()}}}};
   EXPECT_THAT(ErrorOf([&] { LogPlot(zero, {}, "x", "y"); }), testing::HasSubstr("has no logarithm"));
   EXPECT_THAT(ErrorOf([&] { LogPlot(infinite, {}, "x", "y"); }), testing::HasSubstr("has no logarithm"));
+  const std::vector<LogSeries> one{{"one", {{10.0, 10.0}}}};
+  const std::vector<LogLevel> nothing{{"goal", 0.0}};
+  EXPECT_THAT(ErrorOf([&] { LogPlot(one, nothing, "x", "y"); }), testing::HasSubstr("level goal is 0"));
   EXPECT_THAT(ErrorOf([&] { LogPlot(none, {}, "x", "y"); }), testing::HasSubstr("nothing to plot"));
 }
 

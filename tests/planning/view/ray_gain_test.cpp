@@ -180,7 +180,8 @@ TEST(RayGain, CountsAreaOnlyUntilARayIsBackInWhatIsKnown) {
   RayGainOptions options;
   options.measure = GainMeasure::kArea;
   options.depth = 3.0;
-  options.field_of_view = 0.0;  // one ray
+  options.rays = 4;  // of which one meets the unseen side
+  options.field_of_view = 0.0;
   options.until_known = true;
   const Eigen::Vector2d p(2.0, 2.0);
   const double step = 2.0 * std::numbers::pi / options.rays;
