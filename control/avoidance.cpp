@@ -100,10 +100,12 @@ Push PushOf(const DriveCommand& wanted, double speed, const std::vector<Vector2d
   for (int k = 0; k < kPushSamples; ++k) {
     const double share = static_cast<double>(k) / kPushSamples;
     const Pose2 T_robot_base = MovedBy(wanted, share * options.repulsion_ahead / speed).Inverse();
+    const Eigen::Matrix2d R_robot_base = T_robot_base.RotationMatrix();
     for (const Vector2d& p_base : points) {
-      const double gap = std::max(0.0, GapTo(options.robot, {}, T_robot_base * p_base));
+      const Vector2d p_robot = R_robot_base * p_base + T_robot_base.translation;
+      const double gap = std::max(0.0, GapTo(options.robot, {}, p_robot));
       if (gap >= options.repulsion_beside) continue;
-      const Vector2d p = sense * (T_robot_base * p_base);
+      const Vector2d p = sense * p_robot;
       if (p.x() <= 0.0) continue;
       const double nearness = (1.0 - share) * (1.0 - gap / options.repulsion_beside);
       const double strength = nearness * nearness;

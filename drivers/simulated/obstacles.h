@@ -44,6 +44,8 @@ class Obstacles {
   /// The deepest contact of the robot at a pose, with moving bodies where they are at a time [s].
   Contact ContactAt(const slam::Pose2& T_map_base, double time) const;
 
+  const std::string& NameOf(std::uint32_t body) const { return world_->bodies[body].name; }
+
   /// Whether something keeps the robot from a short step. Nothing that stands lets it in. A moving body may
   /// have walked into the robot, which can then do whatever does not bring it nearer to that body's middle.
   bool Block(const slam::Pose2& T_map_from, const slam::Pose2& T_map_to, double time) const;

@@ -86,7 +86,8 @@ void SimulatedBase::BrakeIfStale() {
 void SimulatedBase::StepUntil(double time) {
   BrakeIfStale();
   const WheelStep step = wheels_.Accelerate(time - now_);
-  const bool free = MayGoTo(T_map_base_ * wheels_.Motion(step, 1.0), time);
+  const slam::Pose2 T_map_wanted = T_map_base_ * wheels_.Motion(step, 1.0);
+  const bool free = MayGoTo(T_map_wanted, time);
   const double share = free ? 1.0 : ShareUntilContact(step, time);
   if (path_.back().time < now_) path_.push_back({now_, T_map_base_});
   T_map_base_ = T_map_base_ * wheels_.Motion(step, share);
@@ -95,7 +96,7 @@ void SimulatedBase::StepUntil(double time) {
   wheels_.Turn(step, share);
   if (!free) wheels_.Block();
   odometry_.Update(wheels_.Ticks());
-  NoteContact(!free);
+  NoteContact(T_map_wanted, !free);
 }
 
 bool SimulatedBase::MayGoTo(const slam::Pose2& T_map_base, double time) const {
@@ -111,9 +112,9 @@ double SimulatedBase::ShareUntilContact(const WheelStep& step, double time) cons
   return free;
 }
 
-void SimulatedBase::NoteContact(bool stopped) {
+void SimulatedBase::NoteContact(const slam::Pose2& T_map_wanted, bool stopped) {
   if (stopped) {
-    if (!contact_) collision_times_.push_back(now_);
+    if (!contact_) collisions_.push_back({now_, T_map_base_, obstacles_.NameOf(obstacles_.ContactAt(T_map_wanted, now_).body)});
     contact_ = T_map_base_;
   } else if (contact_) {
     const slam::Pose2 moved = contact_->Inverse() * T_map_base_;

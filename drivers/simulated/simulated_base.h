@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "drivers/simulated/obstacles.h"
@@ -37,6 +38,13 @@ struct TruePose {
   slam::Pose2 T_map_base;
 };
 
+/// Where the world stopped the robot.
+struct Collision {
+  double time = 0.0;  // [s]
+  slam::Pose2 T_map_base;
+  std::string thing;  // the body that it touched
+};
+
 /// A base that drives through a world. Its true motion goes in steps, each on an exact arc, and stops where
 /// the footprint would enter a surface: at the end of each step, the robot overlaps nothing that stands,
 /// and comes within a thousandth of a step of what stops it. What walks into the robot overlaps it; the
@@ -65,10 +73,8 @@ class SimulatedBase {
   /// The robot's true way in a span of its past [s], for what measures while it drives.
   Motion WayBetween(double from, double to) const;
 
-  /// How often the world stopped the robot. Pushing on against the same thing counts once.
-  int collisions() const { return static_cast<int>(collision_times_.size()); }
-  /// When [s].
-  const std::vector<double>& collision_times() const { return collision_times_; }
+  /// Where the world stopped the robot. Pushing on against the same thing counts once.
+  const std::vector<Collision>& collisions() const { return collisions_; }
 
  private:
   double NextStep() const;
@@ -76,7 +82,7 @@ class SimulatedBase {
   void BrakeIfStale();
   bool MayGoTo(const slam::Pose2& T_map_base, double time) const;
   double ShareUntilContact(const WheelStep& step, double time) const;
-  void NoteContact(bool stopped);
+  void NoteContact(const slam::Pose2& T_map_wanted, bool stopped);
 
   Obstacles obstacles_;
   Wheels wheels_;
@@ -88,7 +94,7 @@ class SimulatedBase {
   slam::Pose2 T_map_base_;
   std::vector<TruePose> path_;
   std::optional<slam::Pose2> contact_;  // where the robot was stopped, until it is clear of that
-  std::vector<double> collision_times_;
+  std::vector<Collision> collisions_;
 };
 
 }  // namespace ariadne::drivers

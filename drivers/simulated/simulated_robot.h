@@ -62,8 +62,7 @@ class SimulatedRobot : public Robot {
 
   const slam::Pose2& T_map_base_true() const { return base_.T_map_base_true(); }
   const std::vector<TruePose>& path_true() const { return base_.path_true(); }
-  int collisions() const { return base_.collisions(); }
-  const std::vector<double>& collision_times() const { return base_.collision_times(); }
+  const std::vector<Collision>& collisions() const { return base_.collisions(); }
   int repeated_scans() const { return repeated_scans_; }
 
  private:

@@ -50,7 +50,7 @@ void DriveTo(SimulatedBase& base, const Eigen::Vector2d& goal_map) {
     const slam::Pose2& T_map_base = base.T_map_base_true();
     const double distance = ahead.dot(goal_map - T_map_base.translation);
     if (distance < kArrived) break;
-    if (base.collisions() > 0 || base.Now() > deadline) FailBlocked(base, goal_map);
+    if (!base.collisions().empty() || base.Now() > deadline) FailBlocked(base, goal_map);
     const double bearing = distance > 0.2 ? BearingTo(T_map_base, goal_map) : 0.0;
     base.Drive({std::max(kSlowestForward, kForwardGain * distance), kTurningGain * bearing});
     base.WaitUntil(base.Now() + kPeriod);

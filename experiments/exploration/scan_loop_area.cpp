@@ -12,9 +12,8 @@ namespace {
 
 constexpr double kRoundStep = std::numbers::pi / 8.0;  // of an arc [rad]
 constexpr double kOffWalls = 0.01;                     // so that no known place reaches through a wall [m]
-constexpr double kRobotHalf = 0.28;     // within the robot's own outline, whatever seems to stand there [m]
-constexpr double kNearScanner = 0.2;    // covered by where the robot stands [m]
-constexpr double kSmallestHole = 0.02;  // [m]
+constexpr double kRobotHalf = 0.28;   // within the robot's own outline, whatever seems to stand there [m]
+constexpr double kNearScanner = 0.2;  // covered by where the robot stands [m]
 
 using planning::LabelledPolygon;
 using planning::LabelledRing;
@@ -75,20 +74,6 @@ LabelledPolygon WithoutWideGaps(LabelledPolygon polygon, const Eigen::Vector2d& 
   return polygon;
 }
 
-/// A hole around a place, as large as the area leaves room for; where there is none, edges stand already.
-void CutHole(const Eigen::Vector2d& p_map, double radius, std::vector<LabelledPolygon>& area) {
-  radius = std::min(radius, DistanceToEdges(p_map, area, false) - kOffWalls);
-  if (radius < kSmallestHole) return;
-  for (LabelledPolygon& polygon : area) {
-    if (!planning::Contains(polygon, p_map)) continue;
-    LabelledRing hole;
-    AppendArc(p_map, radius, 0.0, 2.0 * std::numbers::pi - kRoundStep, true, hole);
-    std::ranges::reverse(hole);
-    polygon.holes.push_back(std::move(hole));
-    return;
-  }
-}
-
 }  // namespace
 
 slam::Pose2 FromAbove(const slam::Pose3& pose) {
@@ -137,9 +122,19 @@ std::vector<LabelledPolygon> ScanLoopArea::At(std::size_t height,
   std::vector<LabelledPolygon> stands;
   for (const slam::Pose3& pose : T_map_laser) stands.push_back(Stand(pose, parts));
   parts.insert(parts.end(), stands.begin(), stands.end());
-  std::vector<LabelledPolygon> area = planning::LabelledUnion(parts, options_.united);
-  for (const Eigen::Vector2d& p_map : obstacles_map_) CutHole(p_map, options_.obstacle_radius, area);
-  return area;
+  return planning::LabelledUnion(parts, options_.united);
+}
+
+std::vector<LabelledPolygon> ScanLoopArea::ToLookCloser(std::span<const LabelledPolygon> area,
+                                                        std::size_t height,
+                                                        std::span<const slam::Pose3> T_map_laser) const {
+  std::vector<planning::SightedLine> lines;
+  for (std::size_t i = 0; i < T_map_laser.size(); ++i) {
+    const slam::Pose2 T_map_scan = FromAbove(T_map_laser[i]);
+    for (const planning::SliceLine& line : lines_[height][i])
+      lines.push_back({T_map_scan * line.from_scan, T_map_scan * line.to_scan, T_map_scan.translation});
+  }
+  return planning::WithSparseUnseen(area, lines, options_.sparse);
 }
 
 /// Where the robot stood is free, whether it has looked there or not.

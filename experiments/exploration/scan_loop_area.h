@@ -5,20 +5,22 @@
 
 #include "planning/polygon/labelled_union.h"
 #include "planning/polygon/scan_polygon.h"
+#include "planning/polygon/sparse_edges.h"
 
 namespace ariadne::experiments {
 
 struct ScanLoopAreaOptions {
   planning::ScanPolygonOptions polygon;
   planning::LabelledUnionOptions united;
+  planning::SparseEdgeOptions sparse;
   double max_gap = 10.0;
   double stand_radius = 0.5;
-  double obstacle_radius = 0.1;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("polygon", self.polygon, "what a scan shows to be free");
     visit("united", self.united, "how the scans' polygons are united");
+    visit("sparse", self.sparse, "which walls are to be looked at more closely");
     visit("max_gap", self.max_gap, Unit("deg"), Range{0.1, 360.0},
           "between bearings at which a scan shows something at the height, to be joined by one edge. Where "
           "a thing lower than the slice hides the wall behind it, that edge may cut through walls, and a "
@@ -28,8 +30,6 @@ struct ScanLoopAreaOptions {
         "free around the robot's middle and its scanner where it has stood, but not beyond walls that it "
         "has seen: half its diagonal, in which it has turned. With less, the way from there into what the "
         "scan shows is too narrow: near its sides it sees nothing as high as 1.5 m");
-    visit("obstacle_radius", self.obstacle_radius, Unit("m"), Range{0.02, 1.0},
-          "taken away around a place where the robot met something that no slice shows");
   }
 };
 
@@ -43,14 +43,16 @@ class ScanLoopArea {
   /// Finds the scan's lines; its pose says which points are at the heights.
   void AddScan(const slam::PosedCloud& scan);
 
-  /// Something stands there that the robot cannot pass, whatever the slices show.
-  void AddObstacle(const Eigen::Vector2d& p_map) { obstacles_map_.push_back(p_map); }
-
   std::size_t height_count() const { return heights_.size(); }
 
   /// One area per height, for one pose per scan.
   std::vector<planning::LabelledPolygon> At(std::size_t height,
                                             std::span<const slam::Pose3> T_map_laser) const;
+
+  /// Such an area, with the walls unseen that no scan has seen closely enough (`sparse`).
+  std::vector<planning::LabelledPolygon> ToLookCloser(std::span<const planning::LabelledPolygon> area,
+                                                      std::size_t height,
+                                                      std::span<const slam::Pose3> T_map_laser) const;
 
  private:
   planning::LabelledPolygon Stand(const slam::Pose3& T_map_laser,
@@ -60,7 +62,6 @@ class ScanLoopArea {
   std::vector<double> heights_;
   slam::Pose3 T_base_laser_;
   std::vector<std::vector<std::vector<planning::SliceLine>>> lines_;  // of each height, of each scan
-  std::vector<Eigen::Vector2d> obstacles_map_;
 };
 
 /// A pose of the laser or the base as seen from above.

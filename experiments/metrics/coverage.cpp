@@ -21,7 +21,11 @@ class Visibility {
  public:
   Visibility(const drivers::RayScene& scene, const std::vector<Vector3d>& viewpoints,
              const VisibleSurfaceOptions& options)
-      : scene_(scene), viewpoints_(viewpoints), o_(options) {}
+      : scene_(scene),
+        viewpoints_(viewpoints),
+        o_(options),
+        lowest_slope_(std::tan(options.lowest_elevation)),
+        highest_slope_(std::tan(options.highest_elevation)) {}
 
   bool Sees(const Vector3d& p) const {
     const std::vector<std::uint32_t> nearest_first = Candidates(p);
@@ -49,9 +53,8 @@ class Visibility {
     for (std::uint32_t i = 0; i < viewpoints_.size(); ++i) {
       const Vector3d d = p - viewpoints_[i];
       if (d.squaredNorm() > o_.max_range * o_.max_range || d.isZero()) continue;
-      const double elevation = std::atan2(d.z(), d.head<2>().norm());
-      if (elevation >= o_.lowest_elevation && elevation <= o_.highest_elevation)
-        near.emplace_back(d.squaredNorm(), i);
+      const double slope = d.z() / d.head<2>().norm();
+      if (slope >= lowest_slope_ && slope <= highest_slope_) near.emplace_back(d.squaredNorm(), i);
     }
     std::sort(near.begin(), near.end());
     std::vector<std::uint32_t> indices;
@@ -62,6 +65,7 @@ class Visibility {
   const drivers::RayScene& scene_;
   const std::vector<Vector3d>& viewpoints_;
   const VisibleSurfaceOptions& o_;
+  double lowest_slope_, highest_slope_;
 };
 
 }  // namespace
@@ -94,18 +98,20 @@ Coverage MeasureCoverage(const std::vector<Vector3d>& points_map, const slam::Po
   if (points_map.empty()) return {};
   const slam::KdTree tree(points_map);
   const slam::Pose3 T_map_world = T_world_map.Inverse();
+  const std::size_t count = surface.points_world.size();
+  std::vector<char> covered(count);
+  parallel.For(count, kSamplesPerChunk, [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Vector3d p_map = T_map_world * surface.points_world[k];
+      covered[k] = tree.Nearest(p_map, options.radius).index != slam::kNoPoint ? 1 : 0;
+    }
+  });
   Coverage coverage;
-  coverage.covered = parallel.Reduce(surface.points_world.size(), kSamplesPerChunk, std::size_t{0},
-                                     [&](std::size_t begin, std::size_t end) {
-                                       std::size_t covered = 0;
-                                       for (std::size_t k = begin; k < end; ++k) {
-                                         const Vector3d p_map = T_map_world * surface.points_world[k];
-                                         if (tree.Nearest(p_map, options.radius).index != slam::kNoPoint)
-                                           ++covered;
-                                       }
-                                       return covered;
-                                     });
-  coverage.share = static_cast<double>(coverage.covered) / static_cast<double>(surface.points_world.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!covered[k]) coverage.missed_world.push_back(surface.points_world[k]);
+  }
+  coverage.covered = count - coverage.missed_world.size();
+  coverage.share = static_cast<double>(coverage.covered) / static_cast<double>(count);
   coverage.area = coverage.share * surface.area;
   return coverage;
 }

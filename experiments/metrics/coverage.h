@@ -40,6 +40,7 @@ struct Coverage {
   std::size_t covered = 0;  // points of the visible surface
   double share = 0.0;       // covered / all of them
   double area = 0.0;        // that is covered [m^2]
+  std::vector<Eigen::Vector3d> missed_world;
 };
 
 struct CoverageOptions {

@@ -25,9 +25,9 @@ Eigen::Vector2d SideThatMoved(const control::DriveCommand& command) {
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> SafetyPoints(drivers::Robot& robot) {
+std::vector<Eigen::Vector2d> PointsOf(std::span<const drivers::SafetySweep> sweeps) {
   std::vector<Eigen::Vector2d> points_base;
-  for (const drivers::SafetySweep& sweep : robot.TakeSafetySweeps()) {
+  for (const drivers::SafetySweep& sweep : sweeps) {
     for (std::size_t i = 0; i < sweep.sweep.ranges.size(); ++i) {
       const double range = sweep.sweep.ranges[i];
       if (!(range > 0.0)) continue;
@@ -41,7 +41,7 @@ std::vector<Eigen::Vector2d> SafetyPoints(drivers::Robot& robot) {
 Eigen::Vector2d ContactPlace(drivers::Robot& robot, const control::DriveCommand& command) {
   Eigen::Vector2d contact = SideThatMoved(command);
   double nearest = kNear;
-  for (const Eigen::Vector2d& p_base : SafetyPoints(robot)) {
+  for (const Eigen::Vector2d& p_base : PointsOf(robot.TakeSafetySweeps())) {
     if (FromOutline(p_base) >= nearest) continue;
     nearest = FromOutline(p_base);
     contact = p_base;

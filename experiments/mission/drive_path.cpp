@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/mission/beside_memory.h"
 #include "experiments/mission/contact.h"
 #include "slam/geometry/angles.h"
 
@@ -100,6 +101,7 @@ class PathDrive {
   slam::Pose2 advanced_to_;
   double advanced_at_ = 0.0;                     // [s]
   std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
+  BesideMemory beside_;
   std::vector<Eigen::Vector2d> known_map_;
   std::optional<Eigen::Vector2d> held_map_;  // that the scanners see, or the map knows
   DriveReport report_;
@@ -109,10 +111,10 @@ class PathDrive {
 /// are coarse, and it must be able to leave.
 std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
   std::vector<Eigen::Vector2d> points_base;
-  const slam::Pose2 T_base_map = localizer_.T_map_base().Inverse();
+  const slam::Pose2 T_map_base = localizer_.T_map_base(), T_base_map = T_map_base.Inverse();
   for (const Eigen::Vector2d& p_map : known_map_) {
-    const Eigen::Vector2d p_base = T_base_map * p_map;
-    if (p_base.norm() < options_.known_within) points_base.push_back(p_base);
+    if ((p_map - T_map_base.translation).norm() < options_.known_within)
+      points_base.push_back(T_base_map * p_map);
   }
   return points_base;
 }
@@ -123,8 +125,10 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
   held_by_base_.reset();
   held_map_.reset();
   if (options_.avoid_obstacles) {
-    const drivers::Velocity velocity = robot_.State().velocity;
-    std::vector<Eigen::Vector2d> points_base = SafetyPoints(robot_);
+    const drivers::RobotState state = robot_.State();
+    const drivers::Velocity& velocity = state.velocity;
+    std::vector<Eigen::Vector2d> points_base =
+        beside_.Update(robot_.TakeSafetySweeps(), state.odometry.T_odom_base);
     const std::size_t seen = points_base.size();
     if (known) {
       const std::vector<Eigen::Vector2d> more = KnownInTheWay();

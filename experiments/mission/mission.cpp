@@ -114,7 +114,7 @@ std::optional<MissionEnd> Explorer::Limit() const {
 std::optional<PlannedDrive> Explorer::Plan() {
   Status(fmt::format("scan {}: planning", map_.size() - 1));
   const Stopwatch watch;
-  const Surroundings around = SurroundingsOf(map_, trail_map_);
+  Surroundings around = SurroundingsOf(map_, trail_map_);
   obstacles_map_ = around.obstacles_map;
   const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
   const std::uint64_t seed = seed_ + map_.size();
@@ -125,6 +125,10 @@ std::optional<PlannedDrive> Explorer::Plan() {
     drive = PlanDriveTo(around, T_map_base, map_.T_map_base(sure), options_, seed);
   } else {
     drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
+    if (!drive && options_.area.sparse.max_spacing > 0.0) {
+      for (std::size_t h = 0; h < map_.height_count(); ++h) around.areas[h] = map_.AreaToLookCloser(h);
+      drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
+    }
   }
   next_.planning_seconds = watch.Seconds();
   if (drive && events_.on_plan) events_.on_plan(*drive, around);

@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kOwnRadius = 0.28;  // within the robot's own outline, where it has stood [m]
 
+constexpr double kFarBeam = 30.0;  // [m]
+
 bool HasStoodAt(std::span<const slam::Pose2> T_map_bases, const Eigen::Vector2d& p_map) {
   return std::ranges::any_of(T_map_bases, [&](const slam::Pose2& T_map_base) {
     return (T_map_base.translation - p_map).norm() < kOwnRadius;
@@ -30,6 +32,15 @@ bool IsInside(const slam::OccupancyGrid& grid, std::size_t column, std::size_t r
     }
   }
   return true;
+}
+
+/// Whether a scan's cells are still right, to a quarter of one at its farthest beams.
+bool LiesThere(const slam::Pose3& T_map_then, const slam::Pose3& T_map_now,
+               const slam::OccupancyGridOptions& options) {
+  const slam::Pose3 T_then_now = T_map_then.Inverse() * T_map_now;
+  const double turned = Eigen::AngleAxisd(T_then_now.rotation).angle();
+  const double farthest = options.max_range > 0.0 ? options.max_range : kFarBeam;
+  return T_then_now.translation.norm() + turned * farthest < 0.25 * options.resolution;
 }
 
 /// The centres of the occupied cells, but for those inside of what is occupied.
@@ -111,6 +122,10 @@ std::vector<planning::LabelledPolygon> MissionMap::Area(std::size_t height) cons
   return area_.At(height, RegisteredPoses());
 }
 
+std::vector<planning::LabelledPolygon> MissionMap::AreaToLookCloser(std::size_t height) const {
+  return area_.ToLookCloser(Area(height), height, RegisteredPoses());
+}
+
 std::optional<slam::AlignModel> MissionMap::ModelAround(const Eigen::Vector2d& p_map, double reach) const {
   std::vector<std::size_t> members;
   for (const std::size_t i : shown_) {
@@ -120,16 +135,34 @@ std::optional<slam::AlignModel> MissionMap::ModelAround(const Eigen::Vector2d& p
   return slam::UnionInMap(mapper_.scans(), members);
 }
 
-std::vector<Eigen::Vector2d> MissionMap::Obstacles() const {
-  std::vector<slam::PosedCloud> shown;
-  std::vector<slam::Pose2> T_map_bases;
-  for (const std::size_t i : shown_) {
-    shown.push_back(scans_[i]);
-    shown.back().T_map_laser = mapper_.scans()[i].T_map_laser;
-    T_map_bases.push_back(T_map_base(i));
+/// Made anew only for scans that lie elsewhere than when it was made: each one takes long.
+void MissionMap::UpdateSeenCells() {
+  const std::vector<slam::Pose3> poses = RegisteredPoses();
+  seen_cells_.resize(poses.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    if (!seen_cells_[i].part.box.isEmpty() &&
+        LiesThere(seen_cells_[i].T_map_laser, poses[i], options_.obstacles))
+      continue;
+    slam::PosedCloud scan = scans_[shown_[i]];
+    scan.T_map_laser = poses[i];
+    seen_cells_[i] = {poses[i], slam::MakeGridPart(scan, options_.obstacles)};
   }
-  std::vector<Eigen::Vector2d> obstacles =
-      OccupiedPlaces(slam::MakeOccupancyGrid(shown, options_.obstacles));
+}
+
+slam::OccupancyGrid MissionMap::Grid() {
+  UpdateSeenCells();
+  slam::CellBox box;
+  for (const SeenCells& seen : seen_cells_) box.extend(seen.part.box);
+  slam::GridVotes votes(box, options_.obstacles);
+  for (const SeenCells& seen : seen_cells_) votes.Meet(seen.part);
+  for (const SeenCells& seen : seen_cells_) votes.Vote(seen.part);
+  return std::move(votes).Finish();
+}
+
+std::vector<Eigen::Vector2d> MissionMap::Obstacles() {
+  std::vector<slam::Pose2> T_map_bases;
+  for (const std::size_t i : shown_) T_map_bases.push_back(T_map_base(i));
+  std::vector<Eigen::Vector2d> obstacles = OccupiedPlaces(Grid());
   std::erase_if(obstacles, [&](const Eigen::Vector2d& p_map) { return HasStoodAt(T_map_bases, p_map); });
   obstacles.insert(obstacles.end(), met_map_.begin(), met_map_.end());
   obstacles.insert(obstacles.end(), fence_map_.begin(), fence_map_.end());

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/mission/mission_options.h"
+#include "slam/map/grid_part.h"
 
 namespace ariadne::experiments {
 
@@ -38,6 +39,8 @@ class MissionMap {
   std::vector<slam::Pose2> T_map_scans() const;
   std::size_t height_count() const { return area_.height_count(); }
   std::vector<planning::LabelledPolygon> Area(std::size_t height) const;
+  /// That area, with what is to be looked at more closely unseen.
+  std::vector<planning::LabelledPolygon> AreaToLookCloser(std::size_t height) const;
 
   /// The reduced points, with their surfaces, of the registered scans that were taken within reach [m];
   /// none where there are none.
@@ -45,16 +48,25 @@ class MissionMap {
 
   /// Centres of the cells that are occupied up to the robot's height (but where the robot itself has
   /// stood), what it has met, and the fence.
-  std::vector<Eigen::Vector2d> Obstacles() const;
+  std::vector<Eigen::Vector2d> Obstacles();
 
  private:
+  /// What a scan says of the cells around it, from where it lies now.
+  struct SeenCells {
+    slam::Pose3 T_map_laser;
+    slam::GridPart part;
+  };
+
   std::vector<slam::Pose3> RegisteredPoses() const;
+  void UpdateSeenCells();
+  slam::OccupancyGrid Grid();
 
   MissionOptions options_;
   slam::Pose3 T_base_laser_;
   slam::Mapper mapper_;
   ScanLoopArea area_;
-  std::vector<std::size_t> shown_;  // scans that the area knows
+  std::vector<std::size_t> shown_;     // scans that the area knows
+  std::vector<SeenCells> seen_cells_;  // of those
   std::vector<slam::PosedCloud> scans_;
   slam::Pose3 T_chain_laser_;  // the guesses' steps, one after the other, as the mapper takes odometry
   std::vector<Eigen::Vector2d> met_map_;

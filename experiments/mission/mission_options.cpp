@@ -37,6 +37,7 @@ slam::MapperOptions RobotMapperOptions() {
 ScanLoopAreaOptions RobotAreaOptions() {
   ScanLoopAreaOptions options;
   options.max_gap = 90.0;
+  options.sparse.max_spacing = 0.15;
   return options;
 }
 
@@ -58,6 +59,7 @@ slam::OccupancyGridOptions RobotObstacleOptions() {
   options.max_height = 1.2;
   options.max_range = 8.0;
   options.resolution = 0.03;
+  options.most_against = 0.8;
   return options;
 }
 

@@ -57,8 +57,9 @@ MissionVerdict JudgeMission(std::span<const slam::PosedCloud> scans_map,
     verdict.rotation_rms = error.rotation.rms;
   }
   const slam::Pose3 T_world_map = PlaceByMaster(T_map_laser.front(), T_world_laser.front());
-  verdict.surface_covered =
-      MeasureCoverage(MapPoints(scans_map, 1), T_world_map, world.visible, {}, parallel).share;
+  Coverage coverage = MeasureCoverage(MapPoints(scans_map, 1), T_world_map, world.visible, {}, parallel);
+  verdict.surface_covered = coverage.share;
+  verdict.missed_world = std::move(coverage.missed_world);
   const MapError map =
       MeasureMapError(MapPoints(scans_map, kMapErrorThinning), T_world_map, *world.surface, {}, parallel);
   verdict.map_error_median = map.median;

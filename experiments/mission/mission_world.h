@@ -50,6 +50,7 @@ struct MissionVerdict {
   double map_error_median = 0.0;  // of the points, to the nearest true surface [m]
   double map_error_mean = 0.0;    // [m]
   double map_error_95 = 0.0;      // [m]
+  std::vector<Eigen::Vector3d> missed_world;  // points of the visible surface without a point of the map
 };
 
 /// The scans where they came to lie, and where the scanner truly was; at least one.

@@ -202,7 +202,7 @@ void TryWays(const Surroundings& around, const Pose2& T_map_base, const MissionO
 
 }  // namespace
 
-Surroundings SurroundingsOf(const MissionMap& map, std::span<const Pose2> trail_map) {
+Surroundings SurroundingsOf(MissionMap& map, std::span<const Pose2> trail_map) {
   Surroundings around;
   for (std::size_t h = 0; h < map.height_count(); ++h) around.areas.push_back(map.Area(h));
   around.obstacles_map = map.Obstacles();

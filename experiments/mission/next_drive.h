@@ -28,7 +28,7 @@ struct Surroundings {
   std::vector<slam::Pose2> trail_map;  // driven last, to where the robot stands
 };
 
-Surroundings SurroundingsOf(const MissionMap& map, std::span<const slam::Pose2> trail_map);
+Surroundings SurroundingsOf(MissionMap& map, std::span<const slam::Pose2> trail_map);
 
 /// A target of an earlier drive that ended at an obstacle.
 struct FailedTarget {

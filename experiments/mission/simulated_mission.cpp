@@ -26,7 +26,7 @@ class Watcher {
   double CoveredFrom(const slam::Pose2& T_world_scan);
   double MappedShare(std::span<const planning::LabelledPolygon> area_map) const;
   void NotePath(double until);
-  int CollisionsUntil(double time) const;
+  std::vector<drivers::Collision> CollisionsUntil(double time) const;
 
   const drivers::SimulatedRobot& robot_;
   const FloorToExplore& floor_;
@@ -62,9 +62,10 @@ void Watcher::NotePath(double until) {
   }
 }
 
-int Watcher::CollisionsUntil(double time) const {
-  return static_cast<int>(
-      std::ranges::count_if(robot_.collision_times(), [time](double at) { return at <= time; }));
+std::vector<drivers::Collision> Watcher::CollisionsUntil(double time) const {
+  std::vector<drivers::Collision> collisions = robot_.collisions();
+  std::erase_if(collisions, [time](const drivers::Collision& collision) { return collision.time > time; });
+  return collisions;
 }
 
 TrueStop Watcher::Note(const MissionStop& stop, const MissionMap& map) {
@@ -76,7 +77,7 @@ TrueStop Watcher::Note(const MissionStop& stop, const MissionMap& map) {
   truth.path = path_;
   truth.covered = CoveredFrom(FromAbove(result_.T_world_laser.back()));
   truth.mapped = MappedShare(map.Area(0));
-  truth.collisions = CollisionsUntil(stop.time);
+  truth.collisions = static_cast<int>(CollisionsUntil(stop.time).size());
   result_.truth.push_back(truth);
   return truth;
 }

@@ -25,7 +25,7 @@ struct SimulatedMission {
   std::vector<slam::Pose3> T_world_laser;
   std::vector<Eigen::Vector2d> path_world;  // every 5 cm or so
   slam::Pose2 T_world_map;                  // by the first scan, which defines the map
-  int collisions = 0;
+  std::vector<drivers::Collision> collisions;
 };
 
 /// Called after each stop, before the mission's own on_stop.

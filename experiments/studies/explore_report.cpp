@@ -44,6 +44,41 @@ void WriteMissionTrajectory(const RunDirectory& run, const std::string& name,
   slam::WriteFileAtomically(run.File(name), [&](std::ostream& out) { slam::WriteTum(out, stamped); });
 }
 
+/// What could have been mapped and is not, in the world's frame: where a longer mission would have gone.
+void WriteMissed(const MissionVerdict& verdict, const RunDirectory& run) {
+  slam::WriteFileAtomically(run.File("missed.ply"), [&](std::ostream& out) {
+    slam::PlyWriter writer(out, slam::PlyEncoding::kBinary, {}, verdict.missed_world.size());
+    slam::PointCloud missed_world;
+    missed_world.positions = verdict.missed_world;
+    writer.Add(missed_world);
+    writer.Finish();
+  });
+}
+
+Json CollisionsJson(const SimulatedMission& mission) {
+  Json collisions = Json::array();
+  for (const drivers::Collision& collision : mission.collisions) {
+    collisions.push_back({{"time_s", collision.time},
+                          {"thing", collision.thing},
+                          {"true_x_m", collision.T_map_base.translation.x()},
+                          {"true_y_m", collision.T_map_base.translation.y()}});
+  }
+  return collisions;
+}
+
+std::string CollisionLines(const SimulatedMission& mission) {
+  std::string lines;
+  for (const drivers::Collision& collision : mission.collisions) {
+    const auto stop =
+        std::ranges::lower_bound(mission.mission.stops, collision.time, {}, &MissionStop::time);
+    lines += fmt::format(
+        "on the way to scan {} it touched \"{}\", {:.0f} s after its start, at ({:.2f}, {:.2f}) m\n",
+        stop - mission.mission.stops.begin(), collision.thing, collision.time,
+        collision.T_map_base.translation.x(), collision.T_map_base.translation.y());
+  }
+  return lines;
+}
+
 /// As ariadne map, export and plan look for them.
 void WriteExploredPoses(const MissionResult& result, const RunDirectory& run) {
   std::vector<slam::NamedPose> named;
@@ -167,6 +202,7 @@ std::string ReportExploration(const SimulatedMission& mission, const MissionWorl
   WriteMissionTrajectory(run, "trajectory.tum", T_map_laser, result.stops);
   WriteMissionTrajectory(run, "truth.tum", mission.T_world_laser, result.stops);
   const MissionVerdict verdict = JudgeMission(result.scans, mission.T_world_laser, world, parallel);
+  WriteMissed(verdict, run);
   const auto refused = std::ranges::count(result.registered, false);
   run.WriteJson("metrics.json", {{"end", Describe(result.end)},
                                  {"scans", result.scans.size()},
@@ -182,14 +218,17 @@ std::string ReportExploration(const SimulatedMission& mission, const MissionWorl
                                  {"map_error_mean_m", verdict.map_error_mean},
                                  {"map_error_95_m", verdict.map_error_95},
                                  {"refused", refused},
-                                 {"collisions", mission.collisions}});
+                                 {"collisions", CollisionsJson(mission)}});
   return fmt::format(
-      "{} scans, {:.0f} m, {:.0f} min: {}\n{:.1f} % of the walls seen, {:.1f} % of the surface mapped; "
-      "poses within "
-      "{:.1f} cm (rms), map within {:.1f} mm (mean); {} scans not registered, {} contacts\n",
-      result.scans.size(), mission.truth.back().path, result.time / 60.0, Describe(result.end),
-      100.0 * mission.truth.back().covered, 100.0 * verdict.surface_covered,
-      100.0 * verdict.translation_rms, 1000.0 * verdict.map_error_mean, refused, mission.collisions);
+             "{} scans, {:.0f} m, {:.0f} min: {}\n{:.1f} % of the walls seen, {:.1f} % of the surface "
+             "mapped; "
+             "poses within "
+             "{:.1f} cm (rms), map within {:.1f} mm (mean); {} scans not registered, {} contacts\n",
+             result.scans.size(), mission.truth.back().path, result.time / 60.0, Describe(result.end),
+             100.0 * mission.truth.back().covered, 100.0 * verdict.surface_covered,
+             100.0 * verdict.translation_rms, 1000.0 * verdict.map_error_mean, refused,
+             mission.collisions.size()) +
+         CollisionLines(mission);
 }
 
 }  // namespace ariadne::experiments

@@ -20,7 +20,7 @@ MissionTrial SummarizeMission(const SimulatedMission& mission, const MissionVerd
   trial.ended = trial.end == MissionEnd::kNothingLeft ? 1.0 : 0.0;
   trial.refused = static_cast<double>(std::ranges::count(mission.mission.registered, false));
   trial.blocked = static_cast<double>(std::ranges::count(stops, DriveEnd::kBlocked, &MissionStop::drive));
-  trial.collisions = mission.collisions;
+  trial.collisions = static_cast<double>(mission.collisions.size());
   for (const MissionStop& stop : stops) {
     trial.planning_seconds += stop.planning_seconds / trial.scans;
     trial.matching_seconds += stop.matching_seconds / trial.scans;

@@ -17,7 +17,8 @@ struct OccupancyGridOptions {
   double max_range = 0.0;
   double hit = 0.85;
   double miss = 0.4;
-  double max_log_odds = 3.5;
+  double most_for = 3.5;
+  double most_against = 3.5;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -34,8 +35,10 @@ struct OccupancyGridOptions {
           "for a cell in which a scan has points; OctoMap's, as the other two");
     visit("miss", self.miss, Unit("log odds"), Range{0.01, 10.0},
           "against a cell that beams of a scan only went through");
-    visit("max_log_odds", self.max_log_odds, Unit("log odds"), Range{0.01, 100.0},
-          "more is not believed, for or against, so that what has changed can be seen");
+    visit("most_for", self.most_for, Unit("log odds"), Range{0.01, 100.0},
+          "more is not believed, so that what has changed can be seen");
+    visit("most_against", self.most_against, Unit("log odds"), Range{0.01, 100.0},
+          "likewise; with less than hit, whatever the last scan has points in is occupied");
   }
 };
 
@@ -57,10 +60,10 @@ struct OccupancyGrid {
 /// Each scan has one vote per cell: for it where the scan has points between the heights, else against it
 /// where the part of a beam that is between them goes through. So a wall that is seen at a grazing angle is
 /// not wiped out by the many beams that pass close to it, and the floor that is seen frees the space over
-/// it. A beam speaks against a cell with points (of any scan) only at their heights, to half a cell: one
-/// over a table does not say that the table is not there. Votes are added up as log odds. Error where no
-/// beam is between the heights, where a place is not finite, or the grid would need more than 100 million
-/// cells.
+/// it. A beam speaks against a cell with points (of any scan) only at their heights, to half a cell and a
+/// 32nd of the grid's: one over a table does not say that the table is not there. Votes are added up as log
+/// odds. Error where no beam is between the heights, where a place is not finite, or the grid would need
+/// more than 100 million cells.
 OccupancyGrid MakeOccupancyGrid(std::span<const PosedCloud> scans,
                                 const OccupancyGridOptions& options = {});
 

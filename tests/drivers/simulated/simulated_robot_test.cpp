@@ -192,7 +192,7 @@ TEST(SimulatedRobot, IsStoppedByTheWall) {
   SimulatedRobot robot(SceneOf(FurnishedRoom()), Small(), 1);
   robot.Drive({-0.8, 0.0});
   robot.WaitUntil(10.0);
-  EXPECT_EQ(robot.collisions(), 1);
+  EXPECT_EQ(robot.collisions().size(), 1U);
   EXPECT_TRUE(robot.State().blocked);
   EXPECT_EQ(robot.path_true().back().T_map_base.translation, robot.T_map_base_true().translation);
 }

@@ -65,7 +65,7 @@ TEST_F(DrivePathTest, ArrivesWhereTheMapSaysAndNotWhereTheWheelsSay) {
 TEST_F(DrivePathTest, StandsBeforeAWallThatThePathLeadsThrough) {
   const DriveReport report = Drive(Straight(robot_.T_map_base_true().translation, {1.5, 6.0}), nullptr);
   EXPECT_EQ(report.end, DriveEnd::kBlocked);
-  EXPECT_EQ(robot_.collisions(), 0);
+  EXPECT_EQ(robot_.collisions().size(), 0U);
   ASSERT_EQ(report.obstacles_map.size(), 1U);
   EXPECT_EQ(robot_.State().velocity.forward, 0.0);
 }
@@ -76,7 +76,7 @@ TEST_F(DrivePathTest, ContactIsLeftByTheWayThatItCame) {
   const DriveReport report =
       Drive(Straight(robot_.T_map_base_true().translation, {1.5, -1.0}), nullptr, options);
   EXPECT_EQ(report.end, DriveEnd::kBlocked);
-  EXPECT_EQ(robot_.collisions(), 1);
+  EXPECT_EQ(robot_.collisions().size(), 1U);
   ASSERT_EQ(report.obstacles_map.size(), 1U);
   EXPECT_NEAR(report.obstacles_map[0].y(), 0.06, 0.15);  // the wall's face
   EXPECT_FALSE(robot_.State().blocked);

@@ -7,6 +7,7 @@
 
 #include "slam/base/random.h"
 #include "slam/map/grid_beam.h"
+#include "slam/map/grid_part.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random_geometry.h"
 
@@ -67,6 +68,31 @@ TEST(OccupancyGrid, ForgetsWhatIsGoneAndKeepsWhatBeamsPassOver) {
   const PosedCloud table = ScanOfWall(3.02, 0.7, 0.72), over = ScanOfWall(5.02, 1.0, 1.5);
   const std::vector<PosedCloud> seen_over{table, over, over, over, over, over, over};
   EXPECT_EQ(At(MakeOccupancyGrid(seen_over, {.resolution = 0.1}), 3.05, 0.05), Occupancy::kOccupied);
+}
+
+TEST(OccupancyGrid, ShowsWhatTheLastScanMetIfItMayBelieveItsMissesLess) {
+  const PosedCloud wall = ScanOfWall(3.02), far = ScanOfWall(5.02);
+  const std::vector<PosedCloud> new_wall{far, far, far, far, far, wall};
+  EXPECT_EQ(At(MakeOccupancyGrid(new_wall, {.resolution = 0.1}), 3.05, 0.05), Occupancy::kFree);
+  const OccupancyGridOptions wary{.resolution = 0.1, .most_against = 0.8};
+  EXPECT_EQ(At(MakeOccupancyGrid(new_wall, wary), 3.05, 0.05), Occupancy::kOccupied);
+}
+
+TEST(GridVotes, AddUpToTheGridOfAllScans) {
+  const OccupancyGridOptions options{.resolution = 0.1};
+  const std::vector<PosedCloud> scans{ScanOfWall(3.02), ScanOfWall(5.02, 0.2, 0.8), ScanOfWall(2.0)};
+  std::vector<GridPart> parts;
+  CellBox box;
+  for (const PosedCloud& scan : scans) {
+    parts.push_back(MakeGridPart(scan, options));
+    box.extend(parts.back().box);
+  }
+  GridVotes votes(box, options);
+  for (const GridPart& part : parts) votes.Meet(part);
+  for (const GridPart& part : parts) votes.Vote(part);
+  const OccupancyGrid grid = std::move(votes).Finish(), whole = MakeOccupancyGrid(scans, options);
+  EXPECT_EQ(grid.log_odds, whole.log_odds);
+  EXPECT_EQ(grid.origin_map, whole.origin_map);
 }
 
 TEST(OccupancyGrid, CutsLongBeamsAndBoundsTheOdds) {
