@@ -16,8 +16,8 @@ struct ExploreStudyOptions {
   std::string world = "builtin:robobench";
   int seed = 1;
   int threads = 2;
-  ExploringRobotOptions robot{CoarseRobotOptions()};
-  drivers::HardwareRobotOptions hardware = CoarseHardwareOptions();
+  ExploringRobotOptions robot{MissionRobotOptions()};
+  drivers::HardwareRobotOptions hardware = MissionHardwareOptions();
   drivers::EmulatedRobotOptions emulated;
   PreflightOptions check;
   bool approve = false;

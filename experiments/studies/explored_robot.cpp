@@ -111,10 +111,9 @@ class Real : public ExploredRobot {
 
 }  // namespace
 
-drivers::HardwareRobotOptions CoarseHardwareOptions() {
+drivers::HardwareRobotOptions MissionHardwareOptions() {
   drivers::HardwareRobotOptions options;
   options.scanner.resolution = 1.0;
-  options.tilt.slices = 128;
   return options;
 }
 

@@ -38,8 +38,8 @@ struct ExploringRobotOptions : drivers::SimulatedRobotOptions {
   }
 };
 
-/// Scans like those of CoarseRobotOptions.
-drivers::HardwareRobotOptions CoarseHardwareOptions();
+/// Scans like those of MissionRobotOptions.
+drivers::HardwareRobotOptions MissionHardwareOptions();
 
 /// Where a run keeps what crossed the lines to the devices.
 constexpr const char* kLineLog = "lines.log";
