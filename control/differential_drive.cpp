@@ -42,6 +42,12 @@ double DriveGeometry::MetersPerTick() const {
   return 2.0 * std::numbers::pi * wheel_radius / ticks_per_turn;
 }
 
+WheelPair DriveGeometry::WaysOf(double left_ticks, double right_ticks) const {
+  const double left = 2.0 / (1.0 + radius_ratio);
+  const double per_tick = MetersPerTick();
+  return {left * per_tick * left_ticks, radius_ratio * left * per_tick * right_ticks};
+}
+
 WheelPair WheelsOf(double forward, double turning, double track) {
   return {forward - 0.5 * track * turning, forward + 0.5 * track * turning};
 }

@@ -17,9 +17,13 @@ struct WheelPair {
 struct DriveGeometry {
   double wheel_radius = 0.1;
   double track = 0.5;
+  double radius_ratio = 1.0;
   int ticks_per_turn = 4000;
 
   double MetersPerTick() const;
+
+  /// What wheels that err by their ratio roll while their encoders count so many ticks [m].
+  WheelPair WaysOf(double left_ticks, double right_ticks) const;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -27,6 +31,9 @@ struct DriveGeometry {
           "open in the paper (2.1); wheels of 20 cm fit under a platform of 80 x 60 cm");
     visit("track", self.track, Unit("m"), Range{0.05, 3.0},
           "between the wheels' contact points; open in the paper, 50 cm of the 60 cm width");
+    visit(
+        "radius_ratio", self.radius_ratio, Unit(""), Range{0.8, 1.25},
+        "of the right wheel's radius to the left one's; wheel_radius is their mean. See ariadne calibrate");
     visit("ticks_per_turn", self.ticks_per_turn, Unit(""), Range{1, 1e7},
           "of a wheel; open in the paper, 1000 lines in quadrature are usual: 0.16 mm");
   }

@@ -16,9 +16,7 @@ WheelOdometry::WheelOdometry(const DriveGeometry& geometry, const OdometryOption
 
 const slam::Odometry& WheelOdometry::Update(const WheelTicks& ticks) {
   if (last_) {
-    const double per_tick = geometry_.MetersPerTick();
-    Roll(
-        {per_tick * TicksSince(last_->left, ticks.left), per_tick * TicksSince(last_->right, ticks.right)});
+    Roll(geometry_.WaysOf(TicksSince(last_->left, ticks.left), TicksSince(last_->right, ticks.right)));
   }
   last_ = ticks;
   return odometry_;

@@ -56,6 +56,10 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddPlanCommand(app);
   ariadne::experiments::AddExportCommand(app);
   ariadne::experiments::AddViewCommand(app);
+  ariadne::experiments::AddDevicesCommand(app, status);
+  ariadne::experiments::AddLogCommand(app);
+  ariadne::experiments::AddCalibrateCommand(app);
+  ariadne::experiments::AddCheckCommand(app, status);
   try {
     if (argc > 1 && argv[1][0] != '-') RequireKnownCommand(app, argv[1]);
     app.parse(argc, argv);

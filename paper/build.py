@@ -12,6 +12,11 @@ import shutil
 import subprocess
 import sys
 
+import figure_values
+import garage_values
+import graph_values
+import hallway_values
+import matching_values
 import plots
 import png
 import tables
@@ -64,15 +69,15 @@ def office(values, published_seconds, experiments):
     """What needs no files."""
     say("the built-in office: Table 1, Fig. 3, Fig. 5, the map")
     table = experiments.run("table_1")
-    v.add_table(values, "office", published_seconds, table)
+    figure_values.add_table(values, "office", published_seconds, table)
     v.add_options(values, "table", table)
     fig_03 = experiments.run("fig_03")
-    v.add_fig_03(values, "fig3.office", fig_03)
+    figure_values.add_fig_03(values, "fig3.office", fig_03)
     v.add_options(values, "fig3", fig_03)
     for view in ("top", "oblique"):
         png.write(BUILD / f"fig_03_{view}.png", png.bolder(png.read(fig_03 / "figures" / f"{view}.png")))
     stacked_parts(values, "fig_03_top", 3, gap=12)  # half of the program's, as the picture
-    v.add_fig_05(values, "fig5.office", copy_fig_05(experiments.run("fig_05"), "fig_05"))
+    figure_values.add_fig_05(values, "fig5.office", copy_fig_05(experiments.run("fig_05"), "fig_05"))
     office = experiments.run("register_office")
     make_readme_picture(office)
     v.add_options(values, "default", office)
@@ -88,11 +93,11 @@ def office_truth(values, experiments):
         return (config, f"seeds/{name}/{seed}", (*NO_OUTPUT, f"input.office.seed={seed}", *sets))
     runs = {key: experiments.run_all([job(config, key, seed, sets) for seed in SEEDS])
             for key, config, sets in VARIANTS}
-    errors = {key: (v.errors_cm(r), v.errors_deg(r)) for key, r in runs.items()}
+    errors = {key: (matching_values.errors_cm(r), matching_values.errors_deg(r)) for key, r in runs.items()}
     last = runs[VARIANTS[-1][0]]
-    errors["odometry"] = (v.errors_cm(last, "odometry"), v.errors_deg(last, "odometry"))
+    errors["odometry"] = (matching_values.errors_cm(last, "odometry"), matching_values.errors_deg(last, "odometry"))
     for key, (cm, deg) in errors.items():
-        v.add_errors(values, f"truth.{key}", cm, deg)
+        matching_values.add_errors(values, f"truth.{key}", cm, deg)
     values.set("truth.seeds", len(SEEDS))
     values.set("truth.unregistered", sum(
         m["scans"] - m["registered"] for r in runs.values() for m in (read_json(x / "metrics.json") for x in r)))
@@ -101,32 +106,32 @@ def office_truth(values, experiments):
                  -1.3, 2.0, "error of the positions, rms [cm]")
     for metric in v.METRICS:
         two = ("registration.method=pairwise", "input.last=1", f"icp.metric={metric}")
-        v.add_covariance(values, metric,
+        matching_values.add_covariance(values, metric,
                          experiments.run_all([job("register_office", f"two_{metric}", seed, two) for seed in SEEDS]))
 
 
 def hallway(values, published_seconds, published, experiments):
     say("the real hallway: Table 1 (brute force takes minutes), cross-check")
-    v.add_table(values, "hallway", published_seconds, experiments.run("table_1_hallway"))
-    v.add_fig_05(values, "fig5.hallway", copy_fig_05(experiments.run("fig_05_hallway"), "fig_05_hallway"))
+    figure_values.add_table(values, "hallway", published_seconds, experiments.run("table_1_hallway"))
+    figure_values.add_fig_05(values, "fig5.hallway", copy_fig_05(experiments.run("fig_05_hallway"), "fig_05_hallway"))
     wide = {metric: experiments.run("hallway_cross_check", f"hallway_cross_check/{metric}",
                                     (f"icp.metric={metric}",)) for metric in v.METRICS}
     narrow = experiments.run("hallway_cross_check", "hallway_cross_check/narrow", ("icp.max_distance=0.25",))
-    v.add_cross_check(values, published, wide, narrow)
+    hallway_values.add_cross_check(values, published, wide, narrow)
     labels = ("point-to-point", "point-to-plane", "plane-to-plane")
     colors = (plots.BLUE, plots.ORANGE, plots.GREEN)
     plots.convergence(BUILD / "plot_convergence.tex",
-                      [(label, color, v.step_lengths(wide[metric], 0))
+                      [(label, color, hallway_values.step_lengths(wide[metric], 0))
                        for label, color, metric in zip(labels, colors, v.METRICS)])
 
 
 def garage(values, experiments):
     say("the real car park: three methods")
-    runs = {method: experiments.run(f"garage13_{method}") for method in v.ALL_METHODS}
+    runs = {method: experiments.run(f"garage13_{method}") for method in matching_values.ALL_METHODS}
     for method, run in runs.items():
-        v.add_garage(values, method, run)
-    v.add_garage_neighbours(values, runs["simultaneous"])
-    v.add_garage_differences(values, runs)
+        garage_values.add_garage(values, method, run)
+    garage_values.add_garage_neighbours(values, runs["simultaneous"])
+    garage_values.add_garage_differences(values, runs)
     for when in ("before", "after"):
         copy_map(runs["simultaneous"] / "figures" / f"top_{when}.png", BUILD / f"garage_{when}.png")
 
@@ -169,17 +174,17 @@ def loop(values, experiments):
 
 
 def matching(values, key, run):
-    levels = v.add_matching(values, key, run)
+    levels = matching_values.add_matching(values, key, run)
     (BUILD / f"table_{key}.tex").write_text(
-        tables.matching(key, levels, v.MATCHING_METHODS, v.MATCHING_MEASURES.values()))
+        tables.matching(key, levels, matching_values.MATCHING_METHODS, matching_values.MATCHING_MEASURES.values()))
 
 
 def graphs(values, real_data, experiments):
     say("pose graphs: the public ones, wrong closures, starts")
     if real_data:
-        names = v.add_posegraphs(values, experiments.run("posegraph_benchmark"))
+        names = graph_values.add_posegraphs(values, experiments.run("posegraph_benchmark"))
         (BUILD / "table_posegraphs.tex").write_text(tables.posegraphs(names))
-    shares, kernels = v.add_ablation_graph(values, experiments.run("ablation_graph"))
+    shares, kernels = graph_values.add_ablation_graph(values, experiments.run("ablation_graph"))
     (BUILD / "table_kernels.tex").write_text(tables.kernels([s for s in ("0", "10", "30", "50") if s in shares], kernels))
 
 
@@ -264,7 +269,7 @@ def main():
         say("the machine is busy: times that are measured now will be too long (--fresh measures them again)")
     values = v.Values()
     published = read_json(PAPER / "published.json")
-    v.add_published_table(values, published)
+    figure_values.add_published_table(values, published)
     published_seconds = published["table_1"]["rows"][-1]["seconds"]
     try:
         experiments = Experiments(PAPER.parent, program, data.resolve(), BUILD / "runs.json", arguments.fresh)

@@ -12,7 +12,8 @@ def add_views(values, name, run):
     values.set(f"{name}.paper.reached", paper["reached %"])
     values.set(f"{name}.paper.ended", paper["ended %"])
     samplers = [row for row in read_csv(run / "samplers.csv") if row["samplers"] != "uniform"]
-    samplers.sort(key=lambda row: float(row["scans, change %"].split()[0]))
+    samplers.sort(key=lambda row: estimate(row["scans, change %"]))
+    values.set(f"{name}.samplers.verdict", sampler_verdict(samplers))
     for key, row in (("best", samplers[0]), ("worst", samplers[-1])):
         values.set(f"{name}.samplers.{key}.name", row["samplers"].replace("_", " "))
         values.set(f"{name}.samplers.{key}.change", with_minus_signs(row["scans, change %"]))
@@ -20,6 +21,26 @@ def add_views(values, name, run):
     for row in read_csv(run / "ways.csv"):
         values.set(f"{name}.ways.{row['ways']}.change", with_minus_signs(row["way, change %"]))
         values.set(f"{name}.ways.{row['ways']}.p", row["p way"])
+
+
+def estimate(text):
+    """Of "+3 [-1, +7]"; what never got there comes last."""
+    first = text.split()[0]
+    return float("inf") if first == "never" else float(first)
+
+
+def sampler_verdict(rows, level=0.05):
+    """Which samplers differ from the uniform one after Holm's correction, with their intervals."""
+    named = {sign: [f"{row['samplers'].replace('_', ' ')} ({with_minus_signs(row['scans, change %'])}\\,\\%)"
+                    for row in rows
+                    if float(row["p"]) < level and estimate(row["scans, change %"]) * sign > 0]
+             for sign in (-1, 1)}
+    fewer, more = ", ".join(named[-1]), ", ".join(named[1])
+    if not fewer and not more:
+        return "no sampler differs from the uniform one in the number of scans"
+    return " and ".join(([f"fewer scans than with uniform candidates are needed with {fewer}"] if fewer else
+                         ["no sampler needs fewer scans than the uniform one"]) +
+                        ([f"more with {more}"] if more else []))
 
 
 def with_minus_signs(text):

@@ -22,6 +22,7 @@ find_package(GTest REQUIRED)
 find_package(octomap REQUIRED)
 find_library(LZF_LIBRARY lzf REQUIRED)
 find_package(BZip2 REQUIRED)
+find_library(ZSTD_LIBRARY zstd REQUIRED)
 find_library(POLYCLIPPING_LIBRARY polyclipping REQUIRED)
 find_library(GOMP_LIBRARY NAMES libgomp.so.1 gomp REQUIRED)  # only to keep CHOLMOD from starting threads
 

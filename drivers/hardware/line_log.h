@@ -3,19 +3,20 @@
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "drivers/hardware/recorded_stream.h"
+#include "drivers/hardware/line_log_stream.h"
 
 namespace ariadne::drivers {
 
-/// Writes what crosses lines to files, `name.0`, `name.1` ... of limited size. Each record is framed, has a
-/// checksum, and is with the system before Add returns, so that a killed program loses none of them, and a
-/// computer without power the last ones. Error where the disk does not take it.
+/// Writes what crosses lines to files, `name.000`, `name.001` ... of limited size, each of which can be
+/// read by itself; see LineLogEncoder for what is in them. A record is with the system before Add returns,
+/// so that a killed program loses none of them, and a computer without power the last ones. Error where
+/// the disk does not take it, then and on each further call.
 class LineLogWriter {
  public:
   /// Begins a new log. Error if there is one of this name.
@@ -26,26 +27,39 @@ class LineLogWriter {
 
  private:
   void Open();
+  void Put(ByteView bytes);
 
   std::filesystem::path name_;
   std::uintmax_t max_file_size_;
   std::uintmax_t size_ = 0;  // of the file that is being written [B]
   int files_ = 0;
+  bool failed_ = false;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_{nullptr, &std::fclose};
+  LineLogEncoder encoder_;
 };
 
-/// All records of each line, from all files of a log. What follows the last whole record of the last file
-/// was torn by the end of the program, and is left out. Error where a file is damaged before its end, or
-/// missing.
+/// One of the files of a log, from 0 on.
+std::filesystem::path LineLogFile(const std::filesystem::path& name, int number);
+
+/// What a log is made of.
+struct LineLogFiles {
+  int files = 0;
+  std::uintmax_t size = 0;  // of all of them [B]
+  std::uintmax_t torn = 0;  // behind the last whole record [B]
+  std::size_t records = 0;
+};
+
+/// Shows all records of a log in the order in which they were written, from all of its files; only one of
+/// these is in memory at a time. What follows the last whole record of the last file was torn by the end of
+/// the program, and is left out. Error where a file is damaged before its end, or missing.
+LineLogFiles VisitLineLog(const std::filesystem::path& name,
+                          const std::function<void(const LoggedRecord&)>& visit);
+
+/// All records of each line.
 std::map<std::uint8_t, std::vector<LineRecord>> ReadLineLog(const std::filesystem::path& name);
 
-// The bytes of a record in a file, and the same read back; none where they are torn or damaged.
-Bytes EncodeLineRecord(std::uint8_t line, const LineRecord& record);
-struct DecodedLineRecord {
-  std::uint8_t line = 0;
-  LineRecord record;
-  std::size_t size = 0;  // in the file [B]
-};
-std::optional<DecodedLineRecord> DecodeLineRecord(ByteView bytes);
+/// The names of the logs that a path means: it may be that of a log, of one of its files, or of a folder,
+/// then all logs in it, sorted. Error where there are none.
+std::vector<std::filesystem::path> FindLineLogs(const std::filesystem::path& path);
 
 }  // namespace ariadne::drivers

@@ -20,5 +20,9 @@ void AddExtractCommand(CLI::App& app);
 void AddMapCommand(CLI::App& app);
 void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
+void AddDevicesCommand(CLI::App& app, int& status);
+void AddLogCommand(CLI::App& app);
+void AddCalibrateCommand(CLI::App& app);
+void AddCheckCommand(CLI::App& app, int& status);
 
 }  // namespace ariadne::experiments

@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdio>
+#include <functional>
 #include <memory>
+#include <optional>
 
 #include "experiments/commands/commands.h"
+#include "experiments/commands/explore_config.h"
 #include "experiments/commands/run_target.h"
 #include "experiments/config/options_io.h"
+#include "experiments/field/terminal.h"
 #include "slam/base/error.h"
 
 namespace ariadne::experiments {
@@ -29,38 +34,80 @@ struct ExploreArguments {
   std::string config;
   std::vector<std::string> assignments;
   RunTarget target;
+  bool approve = false;
 };
 
-ExploreStudyOptions ResolveExploreOptions(const ExploreArguments& arguments, const std::string& config) {
-  OptionEntries entries = config.empty() ? OptionEntries() : OptionEntries::FromFile(config);
-  const std::optional<OptionEntry> experiment = entries.Take("experiment");
-  if (experiment && experiment->value != "explore")
-    Fail("{}: the experiment is {}, not explore; use ariadne run", experiment->where, experiment->value);
-  for (const std::string& assignment : arguments.assignments) entries.Set(assignment);
-  if (const std::optional<OptionEntry> kind = entries.Take("robot"))
-    entries.Set("robot.kind=" + kind->value);
-  return ReadOptions<ExploreStudyOptions>(entries);
-}
+/// Who is asked before each drive, and can stop it with any key.
+class Approver {
+ public:
+  /// A key, the end of the terminal, or a signal: the wheels stop, and the mission ends; see --resume.
+  bool MustStop() { return stop_requested != 0 || !terminal_.StopReason().empty() || called_off_; }
+
+  /// False ends the mission.
+  bool Approves(const PlannedDrive& drive) {
+    fmt::print("{}\n  one key: y drives (then any key stops), n ends the mission here, q stops now\n",
+               PlanText(drive));
+    std::fflush(stdout);
+    const std::optional<char> key = terminal_.Ask("ynq", [] { return stop_requested != 0; });
+    called_off_ = !key || key == 'q';
+    return key == 'y';
+  }
+
+ private:
+  static std::string PlanText(const PlannedDrive& drive) {
+    double length = 0.0;
+    for (std::size_t i = 1; i < drive.path_map.size(); ++i)
+      length += (drive.path_map[i].translation - drive.path_map[i - 1].translation).norm();
+    const std::string to = drive.view
+                               ? fmt::format("to the view at ({:.2f}, {:.2f}) m, {} rays of gain",
+                                             drive.view->p_map.x(), drive.view->p_map.y(), drive.view->gain)
+                               : std::string("back to where the robot was");
+    const slam::Pose2 end = drive.path_map.empty() ? slam::Pose2() : drive.path_map.back();
+    return fmt::format("plan: {:.1f} m {}{}, ending at ({:.2f}, {:.2f}) m", length, to,
+                       drive.leg_only ? ", a part of the way" : "", end.translation.x(),
+                       end.translation.y());
+  }
+
+  Terminal terminal_;
+  bool called_off_ = false;
+};
 
 int Explore(const ExploreArguments& arguments) {
   if (arguments.target.resume && (!arguments.config.empty() || !arguments.assignments.empty()))
     Fail("--resume takes the options of the run ({}/config.yaml); give only --out", arguments.target.out);
   const std::string config =
       arguments.target.resume ? arguments.target.out + "/config.yaml" : arguments.config;
-  const ExploreStudyOptions options = ResolveExploreOptions(arguments, config);
+  ExploreStudyOptions options = ResolveExploreOptions(config, arguments.assignments);
+  options.approve = options.approve || arguments.approve;
   CheckExplore(options);
   const RunDirectory run(arguments.target.out, arguments.target.existing());
   run.WriteConfig("experiment: explore\n" + WriteOptions(options));
   ProgressDisplay progress(arguments.target.quiet);
   StopOnSignals();
-  const auto stop = [] { return stop_requested != 0; };
-  fmt::print("{}", NotingFailure(run, [&] { return RunExplore(options, run, progress, stop); }));
+  std::optional<Approver> approver;
+  if (options.approve) approver.emplace();
+  const auto stop = [&] { return approver ? approver->MustStop() : stop_requested != 0; };
+  std::function<bool(const PlannedDrive&)> approve;
+  if (approver) approve = [&](const PlannedDrive& drive) { return approver->Approves(drive); };
+  fmt::print("{}", NotingFailure(run, [&] { return RunExplore(options, run, progress, stop, approve); }));
   fmt::print("results in {}\n", run.path().string());
   if (!stop()) fmt::print("open {}/report.html in a browser\n", run.path().string());
   return stop() ? 1 : 0;
 }
 
 }  // namespace
+
+ExploreStudyOptions ResolveExploreOptions(const std::string& config,
+                                          const std::vector<std::string>& assignments) {
+  OptionEntries entries = config.empty() ? OptionEntries() : OptionEntries::FromFile(config);
+  const std::optional<OptionEntry> experiment = entries.Take("experiment");
+  if (experiment && experiment->value != "explore")
+    Fail("{}: the experiment is {}, not explore; use ariadne run", experiment->where, experiment->value);
+  for (const std::string& assignment : assignments) entries.Set(assignment);
+  if (const std::optional<OptionEntry> kind = entries.Take("robot"))
+    entries.Set("robot.kind=" + kind->value);
+  return ReadOptions<ExploreStudyOptions>(entries);
+}
 
 void AddExploreCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
@@ -70,6 +117,8 @@ void AddExploreCommand(CLI::App& app, int& status) {
   command->add_option("--out", arguments->target.out, "Run directory")->required();
   AddSetFlag(*command, arguments->assignments);
   AddRunFlags(*command, arguments->target);
+  command->add_flag("--approve", arguments->approve,
+                    "Ask before each drive: y, n or q; any key while driving, or a lost terminal, stops");
   command->footer(
       "Example:\n"
       "  ariadne explore experiments/configs/explore_robobench.yaml --out results/robobench\n"

@@ -1,5 +1,6 @@
 #include "experiments/exploration/floor.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <map>
@@ -14,6 +15,7 @@ namespace {
 constexpr double kOffGrid = 1e-6;  // the cut passes no vertex: models have theirs at round heights [m]
 constexpr double kSamePlace = 1e-6;
 constexpr double kInLine = 1e-6;
+constexpr double kUpright = 0.0872;  // sin of what the docstring promises
 
 std::optional<FloorWall> CutTriangle(const std::array<Eigen::Vector3d, 3>& p, double z) {
   std::array<Eigen::Vector2d, 3> ends;
@@ -25,7 +27,8 @@ std::optional<FloorWall> CutTriangle(const std::array<Eigen::Vector3d, 3>& p, do
     ends[count++] = (a + (z - a.z()) / (b.z() - a.z()) * (b - a)).head<2>();
   }
   if (count != 2 || (ends[0] - ends[1]).norm() < kSamePlace) return {};
-  return FloorWall{ends[0], ends[1]};
+  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+  return FloorWall{ends[0], ends[1], std::abs(normal.z()) <= kUpright};
 }
 
 using Cell = std::pair<long, long>;
@@ -49,11 +52,11 @@ void JoinInLine(std::vector<FloorWall>& faces) {
       grown = false;
       for (const Eigen::Vector2d& end : {faces[i].from, faces[i].to}) {
         for (const std::size_t k : at[CellOf(end)]) {
-          if (k == i || gone[k]) continue;
+          if (k == i || gone[k] || faces[k].upright != faces[i].upright) continue;
           const Eigen::Vector2d near = OtherEnd(faces[i], end), far = OtherEnd(faces[k], end);
           const Eigen::Vector2d a = (end - near).normalized(), b = (far - end).normalized();
           if (a.dot(b) < 0.0 || std::abs(a.x() * b.y() - a.y() * b.x()) > kInLine) continue;
-          faces[i] = {near, far};
+          faces[i] = {near, far, faces[i].upright};
           at[CellOf(far)].push_back(i);
           gone[k] = grown = true;
           break;

@@ -13,6 +13,7 @@ namespace ariadne::experiments {
 struct FloorWall {
   Eigen::Vector2d from = Eigen::Vector2d::Zero();
   Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  bool upright = true;  // within 5 deg: a wall or furniture, not the leaf of a plant
 };
 
 /// A building at one height: what a horizontal scanner without errors sees of it. Exploration in the plane

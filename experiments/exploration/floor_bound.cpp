@@ -49,19 +49,6 @@ double ShareOfCoverable(const CoverProblem& problem, double share) {
   return std::min(1.0, share * static_cast<double>(covered.size()) / coverable);
 }
 
-Eigen::MatrixXd WaysBetween(const std::vector<slam::Pose2>& views, const planning::FreeSpace& free,
-                            double radius) {
-  const auto n = static_cast<Eigen::Index>(views.size());
-  Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const auto from = planning::DistancesFrom(free, views[static_cast<std::size_t>(i)].translation, radius);
-    for (Eigen::Index k = 0; k < i; ++k) {
-      ways(i, k) = ways(k, i) = from.To(views[static_cast<std::size_t>(k)].translation);
-    }
-  }
-  return ways;
-}
-
 }  // namespace
 
 FloorBound FindFloorBound(const Floor& floor, const std::vector<Eigen::Vector2d>& reachable,
@@ -93,6 +80,20 @@ FloorBound FindFloorBound(const Floor& floor, const std::vector<Eigen::Vector2d>
   bound.covered = result.covered / cover.length_each / static_cast<double>(cover.places_map.size());
   bound.ways_to = WaysBetween(bound.views, free, options.robot_radius);
   return bound;
+}
+
+Eigen::MatrixXd WaysBetween(const std::vector<slam::Pose2>& views, const planning::FreeSpace& free,
+                            double robot_radius) {
+  const auto n = static_cast<Eigen::Index>(views.size());
+  Eigen::MatrixXd ways = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto from =
+        planning::DistancesFrom(free, views[static_cast<std::size_t>(i)].translation, robot_radius);
+    for (Eigen::Index k = 0; k < i; ++k) {
+      ways(i, k) = ways(k, i) = from.To(views[static_cast<std::size_t>(k)].translation);
+    }
+  }
+  return ways;
 }
 
 double TourLength(const FloorBound& bound, const Eigen::Vector2d& start, const planning::FreeSpace& free,

@@ -39,6 +39,10 @@ FloorBound FindFloorBound(const Floor& floor, const std::vector<Eigen::Vector2d>
                           const FloorScannerOptions& scanner, const FloorBoundOptions& options,
                           const Parallel& parallel);
 
+/// The lengths of the shortest ways of a disc between all pairs of views [m]; infinite: there is none.
+Eigen::MatrixXd WaysBetween(const std::vector<slam::Pose2>& views, const planning::FreeSpace& free,
+                            double robot_radius);
+
 /// The length of a short tour from a start through all views of the bound [m]. Error where a disc cannot
 /// get from one to the other.
 double TourLength(const FloorBound& bound, const Eigen::Vector2d& start, const planning::FreeSpace& free,

@@ -76,6 +76,7 @@ FloorCover SampleWalls(const Floor& floor, double spacing) {
   FloorCover samples{{}, spacing};
   double left_over = 0.5 * spacing;  // carried from face to face, so that each sample stands for as much
   for (const FloorWall& face : floor.faces) {
+    if (!face.upright) continue;
     const double length = (face.to - face.from).norm();
     for (; left_over < length; left_over += spacing) {
       samples.places_map.push_back(face.from + left_over / length * (face.to - face.from));

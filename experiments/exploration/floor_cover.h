@@ -32,7 +32,8 @@ std::vector<Eigen::Vector2d> ReachableFloor(const Floor& floor, const FloorCover
 /// Of the places the first in each square of a grid of `spacing` [m].
 std::vector<Eigen::Vector2d> Thinned(const std::vector<Eigen::Vector2d>& places, double spacing);
 
-/// The places on walls that can be seen from where the robot can be: what an exploration is to find.
+/// The places on walls, and on whatever else stands upright, that can be seen from where the robot can be:
+/// what an exploration is to find.
 struct FloorCover {
   std::vector<Eigen::Vector2d> places_map;
   double length_each = 0.0;  // of wall that a place stands for [m]

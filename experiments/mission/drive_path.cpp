@@ -23,7 +23,9 @@ constexpr double kLeft = 0.06;         // [m]
 constexpr double kLeftTurn = 0.1;      // [rad]
 constexpr double kWriggleTime = 1.5;   // for one motion [s]
 constexpr int kWriggles = 2;           // rounds
-constexpr double kWithin = -0.01;      // the robot: cells that are coarser than what occupies them [m]
+constexpr double kWithin = -0.03;      // the robot: cells that are coarser than what occupies them [m]
+constexpr double kSeenError = 0.015;   // of the scanners [m]
+constexpr double kOffPath = 0.02;      // by the controller and the localization [m]
 constexpr double kTrailStep = 0.02;    // [m]
 constexpr double kTrailTurn = 0.02;    // [rad]
 
@@ -65,13 +67,21 @@ class PathDrive {
  public:
   PathDrive(drivers::Robot& robot, Localizer localizer, const DriveTask& task, const DriveOptions& options,
             const std::function<bool()>& stop)
-      : robot_(robot), localizer_(std::move(localizer)), task_(task), options_(options), stop_(stop) {
+      : robot_(robot),
+        localizer_(std::move(localizer)),
+        task_(task),
+        options_(options),
+        avoid_(options.avoid),
+        stop_(stop) {
+    avoid_.robot.margin = std::min(avoid_.robot.margin, std::max(kSeenError, task.margin - kOffPath));
+    known_margin_ = std::max(0.0, task.margin - kOffPath - avoid_.robot.margin);
     const slam::Pose2 start = localizer_.T_map_base();
     report_.poses_map.push_back(start);
     advanced_to_ = start;
     advanced_at_ = robot.Now();
     for (const Eigen::Vector2d& p_map : task.obstacles_map) {
-      if (control::GapTo(options.avoid.robot, start, p_map) > kWithin) known_map_.push_back(p_map);
+      const double gap = avoid_.robot.margin + control::GapTo(avoid_.robot, start, p_map);
+      if (gap > kWithin) known_map_.push_back(p_map);
     }
   }
 
@@ -82,6 +92,7 @@ class PathDrive {
   bool Stalls() const { return robot_.Now() - advanced_at_ > options_.patience; }
   bool MustStop() const { return stop_ && stop_(); }
   std::vector<Eigen::Vector2d> KnownInTheWay() const;
+  Eigen::Vector2d Nearer(const Eigen::Vector2d& p_base) const;
   void Go(const control::DriveCommand& command);
   control::DriveCommand GoAvoiding(const control::DriveCommand& wanted, bool known);
   void Halt();
@@ -97,6 +108,8 @@ class PathDrive {
   Localizer localizer_;
   const DriveTask& task_;
   const DriveOptions& options_;
+  control::AvoidanceOptions avoid_;  // with no more margin than the path has
+  double known_margin_ = 0.0;        // more of it, for what only the map knows, which errs more [m]
   const std::function<bool()>& stop_;
   slam::Pose2 advanced_to_;
   double advanced_at_ = 0.0;                     // [s]
@@ -108,6 +121,14 @@ class PathDrive {
   DriveReport report_;
 };
 
+/// A place that errs by the known margin, as near ahead and beside as it may be.
+Eigen::Vector2d PathDrive::Nearer(const Eigen::Vector2d& p_base) const {
+  const Eigen::Array2d half(0.5 * avoid_.robot.length, 0.5 * avoid_.robot.width);
+  const Eigen::Array2d from_centre = p_base - Eigen::Vector2d(avoid_.robot.centre_ahead, 0.0);
+  const Eigen::Array2d nearer = (from_centre.abs() - half).max(0.0).min(known_margin_);
+  return p_base - (from_centre.sign() * nearer).matrix();
+}
+
 /// Obstacles that the map knows, nearby in the robot's frame, but for those that it stands beside: cells
 /// are coarse, and it must be able to leave.
 std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
@@ -115,7 +136,7 @@ std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
   const slam::Pose2 T_map_base = localizer_.T_map_base(), T_base_map = T_map_base.Inverse();
   for (const Eigen::Vector2d& p_map : known_map_) {
     if ((p_map - T_map_base.translation).norm() < options_.known_within)
-      points_base.push_back(T_base_map * p_map);
+      points_base.push_back(Nearer(T_base_map * p_map));
   }
   return points_base;
 }
@@ -136,7 +157,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
       points_base.insert(points_base.end(), more.begin(), more.end());
     }
     const control::AvoidanceResult avoided =
-        control::Avoid(wanted, {velocity.forward, velocity.turning}, points_base, options_.avoid);
+        control::Avoid(wanted, {velocity.forward, velocity.turning}, points_base, avoid_);
     command = avoided.command;
     if (avoided.p_base) held_map_ = localizer_.T_map_base() * *avoided.p_base;
     if (avoided.blocked && avoided.p_base &&

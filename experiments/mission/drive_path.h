@@ -71,6 +71,7 @@ struct DriveTask {
   const std::optional<ApproachTask>& approach;
   std::span<const slam::Pose2> trail_map;          // driven before
   std::span<const Eigen::Vector2d> obstacles_map;  // that are known
+  double margin = 0.08;                            // that the path keeps from them [m]
 };
 
 /// Drives a path or an approach, gives way to what the safety scanners see, and waits for it to go away.

@@ -73,8 +73,8 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
 }
 
 /// Of the footprint's margin: with all of it if the robot can, else with less, for beside a table it stands
-/// closer than it likes to drive.
-constexpr std::array<double, 2> kMarginShares{1.0, 0.5};
+/// closer than it likes to drive, and some doors leave no more.
+constexpr std::array<double, 3> kMarginShares{1.0, 0.5, 0.25};
 
 /// From where the robot stands back the way that it came, to where there is room for its rectangle; only
 /// where it stands, if there is room or none on the way.
@@ -145,6 +145,7 @@ std::optional<PlannedDrive> DriveByApproach(const Surroundings& around, const Po
   if (!plan.IsFree()) return {};
   PlannedDrive drive;
   drive.path_map = plan.poses;
+  drive.margin = options.approach.robot.margin;
   drive.approach = ApproachTask{T_map_goal, plan.behaviour(), options.approach.approach};
   return drive;
 }
@@ -168,6 +169,7 @@ std::optional<PlannedDrive> DriveByPath(const planning::FreeSpace& space, const 
   if (path.empty()) return {};
   PlannedDrive drive;
   drive.path_map = std::move(path);
+  drive.margin = options.footprint.margin;
   return drive;
 }
 

@@ -17,6 +17,7 @@ struct PlannedDrive {
   std::size_t rank = 0;                  // 0: the best of the views
   bool leg_only = false;                 // the path ends before the view
   bool of_disc = false;                  // the rectangle has no path; this is a disc's
+  double margin = 0.0;                   // that the path keeps beside the rectangle [m]
   std::optional<ApproachTask> approach;  // the path is what it is expected to drive
 };
 

@@ -99,9 +99,9 @@ std::optional<std::size_t> StopAt(const SimulatedMission& mission, double share)
 
 }  // namespace
 
-drivers::SimulatedRobotOptions CoarseRobotOptions() {
+drivers::SimulatedRobotOptions MissionRobotOptions() {
   drivers::SimulatedRobotOptions options;
-  options.ais.slices = 128;
+  options.ais.slices = 256;
   options.base.command_timeout = 0.25;
   return options;
 }

@@ -81,7 +81,7 @@ void MissionRuns::Keep(const MissionTrial& trial) {
 MissionTrial MissionRuns::RunOne(const MissionWorld& world, const MissionVariant& way, MissionTrial trial) {
   const auto seed = static_cast<std::uint64_t>(trial.seed);
   const std::unique_ptr<ExploredRobot> robot =
-      MakeExploredRobot(way.robot, CoarseHardwareOptions(), {}, world.scene, seed, nullptr);
+      MakeExploredRobot(way.robot, MissionHardwareOptions(), {}, world.scene, seed, nullptr);
   int scans = 0;
   const auto on_stop = [&](const MissionStop&, const TrueStop& truth) {
     Say(trial,

@@ -17,7 +17,7 @@ struct AblationMissionOptions {
   double target = 0.95;
   int threads = 2;
   MissionVariantOptions variants;
-  drivers::SimulatedRobotOptions robot = CoarseRobotOptions();
+  drivers::SimulatedRobotOptions robot = MissionRobotOptions();
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;

@@ -8,6 +8,7 @@
 #include "experiments/run/data_path.h"
 #include "experiments/run/manifest.h"
 #include "experiments/run/run_page.h"
+#include "experiments/studies/nbv_bounds.h"
 #include "experiments/studies/nbv_tables.h"
 #include "experiments/studies/nbv_variants.h"
 #include "slam/base/error.h"
@@ -52,6 +53,18 @@ std::vector<std::string> WorldsOf(const AblationNbvOptions& options) {
   return worlds;
 }
 
+/// Of the variants those with these names, and `default`; all of them where the one name is `all`.
+void KeepOnly(const std::vector<std::string>& names, std::vector<NbvVariant>& variants) {
+  if (names == std::vector<std::string>{"all"}) return;
+  for (const std::string& name : names) {
+    if (std::ranges::find(variants, name, &NbvVariant::name) == variants.end())
+      Fail("variants names '{}', which none of the studies has", name);
+  }
+  std::erase_if(variants, [&](const NbvVariant& variant) {
+    return variant.name != "default" && std::ranges::find(names, variant.name) == names.end();
+  });
+}
+
 std::vector<NbvVariant> VariantsOf(const AblationNbvOptions& options) {
   const std::vector<std::string> studies = Names(options.studies, "studies");
   if (studies.front() != "policies") Fail("studies must begin with policies: they hold the default");
@@ -59,6 +72,7 @@ std::vector<NbvVariant> VariantsOf(const AblationNbvOptions& options) {
   for (const std::string& study : studies) {
     for (NbvVariant& variant : NbvVariants(study, options.explore)) variants.push_back(std::move(variant));
   }
+  KeepOnly(Names(options.variants, "variants"), variants);
   return variants;
 }
 
@@ -71,9 +85,10 @@ struct NbvTask {
 std::vector<NbvTask> TasksOf(const std::vector<NbvVariant>& variants, const AblationNbvOptions& options) {
   std::vector<NbvTask> tasks;
   for (const NbvVariant& variant : variants) {
-    const int seeds =
-        variant.study == "policies" ? options.seeds : std::min(options.seeds, options.study_seeds);
-    for (int k = 1; k <= seeds; ++k) tasks.push_back({&variant, static_cast<std::uint64_t>(k)});
+    const int wanted = variant.study == "policies" ? options.policy_seeds : options.study_seeds;
+    const int seeds = variant.name == "default" ? options.seeds : std::min(options.seeds, wanted);
+    for (int k = 0; k < seeds; ++k)
+      tasks.push_back({&variant, static_cast<std::uint64_t>(options.first_seed + k)});
   }
   return tasks;
 }
@@ -131,6 +146,8 @@ std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory
   NbvFloorOptions floor_options = options.floor;
   floor_options.bound.cover.share = options.share;
   WriteManifest(run, {});
+  NbvBounds bounds(floor_options, options.explore.scanner);
+  if (!options.bounds_of.empty()) bounds.Read(options.bounds_of);
   std::vector<NbvTrial> trials;
   std::vector<NbvFloorSummary> floors;
   for (std::size_t i = 0; i < worlds.size(); ++i) {
@@ -138,7 +155,8 @@ std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory
     const double done = static_cast<double>(i) / static_cast<double>(worlds.size());
     progress.Show(fmt::format("floor {} of {}: {}, {}", i + 1, worlds.size(),
                               fs::path(worlds[i]).stem().string(), progress.Eta(done)));
-    const NbvFloor floor = PrepareFloor(worlds[i], floor_options, options.explore.scanner, true, parallel);
+    NbvFloor floor = PrepareFloor(worlds[i], floor_options, options.explore.scanner, parallel);
+    floor.bound = bounds.Of(floor, parallel);
     floors.push_back({floor.floor.name,
                       static_cast<double>(floor.reachable.size()) * options.floor.cover.resolution *
                           options.floor.cover.resolution,
@@ -147,6 +165,7 @@ std::string RunAblationNbv(const AblationNbvOptions& options, const RunDirectory
     for (NbvTrial& trial : TryFloor(floor, tasks, options.share, parallel))
       trials.push_back(std::move(trial));
     run.WriteCsv("trials.csv", NbvTrialTable(trials));
+    bounds.Write(run);
     progress.Keep(fmt::format("{}: {} explorations, at least {} views", floor.floor.name, tasks.size(),
                               floor.bound.lower_bound));
   }

@@ -12,7 +12,11 @@ namespace ariadne::experiments {
 struct AblationNbvOptions {
   std::string floors = "plans, builtin:robobench, builtin:entrance_hall";
   std::string studies = "policies, gain, samplers, ways, candidates, c1, c2, field_of_view, min_overlap";
+  std::string variants = "all";
+  std::string bounds_of;
   int seeds = 10;
+  int first_seed = 1;
+  int policy_seeds = 10;
   int study_seeds = 3;
   double share = 0.95;
   ExploreOptions explore;
@@ -25,9 +29,18 @@ struct AblationNbvOptions {
     visit("floors", self.floors,
           "a, b, ...: worlds as simulate takes them; plans: all in $ARIADNE_DATA/plans");
     visit("studies", self.studies, "a, b, ...: what is varied, one after another; policies comes first");
-    visit("seeds", self.seeds, Unit(""), Range{1, 10000}, "starts on each floor, for the policies");
-    visit("study_seeds", self.study_seeds, Unit(""), Range{1, 10000},
-          "for all other studies; no more than for the policies, whose default they are compared with");
+    visit("variants", self.variants, "a, b, ...: only these of the studies, and default; all: each");
+    visit("bounds_of", self.bounds_of,
+          "run directory of this experiment whose fewest views are taken where it has a floor; empty: they "
+          "are searched for, a minute on a large floor");
+    visit("seeds", self.seeds, Unit(""), Range{1, 10000}, "starts on each floor, for `default`");
+    visit("first_seed", self.first_seed, Unit(""), Range{1, 1000000},
+          "1 begins where a floor's file says, others anywhere; what is calibrated needs others than what "
+          "judges it");
+    visit(
+        "policy_seeds", self.policy_seeds, Unit(""), Range{1, 10000},
+        "for the other policies, of the same; no more than for the default, which they are compared with");
+    visit("study_seeds", self.study_seeds, Unit(""), Range{1, 10000}, "for all other studies, likewise");
     visit("share", self.share, Unit("share"), Range{0.01, 1.0},
           "of what can be seen, to which scans and ways are counted; of the bound too");
     visit("explore", self.explore, "the planner where it is not varied: `default` in the tables");

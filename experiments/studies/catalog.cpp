@@ -28,6 +28,7 @@
 #include "experiments/studies/map.h"
 #include "experiments/studies/optimize.h"
 #include "experiments/studies/plan.h"
+#include "experiments/studies/planning_time.h"
 #include "experiments/studies/posegraph_benchmark.h"
 #include "experiments/studies/register.h"
 #include "experiments/studies/simulate.h"
@@ -142,7 +143,10 @@ const std::vector<Study>& AllStudies() {
                                         CheckAblationMission, RunAblationMission),
       MakeStudy<AblationControlOptions>("ablation_control",
                                         "the paper's controller, its fallbacks, and pure pursuit",
-                                        CheckAblationControl, RunAblationControl)};
+                                        CheckAblationControl, RunAblationControl),
+      MakeStudy<PlanningTimeOptions>("planning_time",
+                                     "time to choose the next view, over candidates and edges",
+                                     CheckPlanningTime, RunPlanningTime)};
   return kStudies;
 }
 

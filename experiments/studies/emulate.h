@@ -15,7 +15,7 @@ namespace ariadne::experiments {
 /// What `ariadne emulate` emulates.
 struct EmulateOptions {
   int seed = 1;
-  drivers::SimulatedRobotOptions robot = CoarseRobotOptions();
+  drivers::SimulatedRobotOptions robot = MissionRobotOptions();
   drivers::EmulatedRobotOptions emulated;
   drivers::WorldOptions geometry;
 

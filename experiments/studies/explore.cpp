@@ -37,19 +37,24 @@ class LoggedExploration {
     }
     log_ = std::make_unique<drivers::RobotLogWriter>(path);
     if (old_) {
-      robot_ = std::make_unique<drivers::ReplayRobot>(
+      auto replay = std::make_unique<drivers::ReplayRobot>(
           *old_,
           drivers::LiveRobot{[&robot]() -> drivers::Robot& { return robot.robot(); }, seam, log_.get()});
+      replay_ = replay.get();
+      robot_ = std::move(replay);
     } else {
       robot_ = std::make_unique<drivers::RecordingRobot>(robot.robot(), *log_);
     }
   }
   drivers::LoggedRobot& robot() { return *robot_; }
+  /// What is decided now was decided before, and has been done.
+  bool IsReplayed() const { return replay_ != nullptr && replay_->Replayed(); }
 
  private:
   std::unique_ptr<drivers::RobotLog> old_;
   std::unique_ptr<drivers::RobotLogWriter> log_;
   std::unique_ptr<drivers::LoggedRobot> robot_;
+  const drivers::ReplayRobot* replay_ = nullptr;
 };
 
 /// Each scan is a file of its own before the robot drives on.
@@ -88,6 +93,7 @@ struct ExploreRun {
   const RunDirectory& run;
   ProgressDisplay& progress;
   const std::function<bool()>& stop;
+  const std::function<bool(const PlannedDrive&)>& approve;
 
   std::uint64_t seed() const { return static_cast<std::uint64_t>(options.seed); }
   MissionOptions mission() const {
@@ -102,9 +108,26 @@ struct ExploreRun {
   }
 };
 
+/// Those of a mission that is driven: who refuses a drive ends the mission, and how it ends is not on the
+/// log. What the log has was approved before.
+MissionEvents DrivenEventsOf(const ExploreRun& exploration, LoggedExploration& logged, UnloggedEnd& driven,
+                             StepKeeper& steps) {
+  const auto rejected = std::make_shared<bool>(false);
+  const std::function<bool()> stopped =
+      driven.Latched([rejected, &stop = exploration.stop] { return *rejected || (stop && stop()); });
+  MissionEvents events = EventsOf(exploration.run, exploration.progress, logged.robot(), steps, stopped);
+  if (!exploration.approve) return events;
+  events.approve = [rejected, stopped, &logged, &approve = exploration.approve](const PlannedDrive& drive) {
+    if (logged.IsReplayed()) return true;
+    *rejected = !approve(drive);
+    return !stopped();
+  };
+  return events;
+}
+
 /// In a world that is known to who looks on, who judges it.
 SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld& world) {
-  const auto& [options, run, progress, stop] = exploration;
+  const auto& [options, run, progress, stop, approve] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
       exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), &run);
   LoggedExploration logged(*robot, run.File("robot.log"));
@@ -115,23 +138,23 @@ SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld&
   const auto on_true_stop = [&stops, &display](const MissionStop& at, const TrueStop& truth) {
     display.Keep(StopLine(stops++, at, &truth));
   };
-  SimulatedMission mission = RunSimulatedMission(
-      {*robot->truth(), drivers::AisMounting(options.robot.ais).T_base_laser}, driven, world.floor,
-      options.scanner, exploration.mission(), exploration.seed(),
-      EventsOf(run, progress, logged.robot(), steps, driven.Latched(stop)), on_true_stop);
+  SimulatedMission mission =
+      RunSimulatedMission({*robot->truth(), drivers::AisMounting(options.robot.ais).T_base_laser}, driven,
+                          world.floor, options.scanner, exploration.mission(), exploration.seed(),
+                          DrivenEventsOf(exploration, logged, driven, steps), on_true_stop);
   if (mission.mission.end != MissionEnd::kStopped) steps.OnEnd(mission.mission);
   return mission;
 }
 
 /// In a building that nobody knows.
 SimulatedMission ExploreForReal(const ExploreRun& exploration) {
-  const auto& [options, run, progress, stop] = exploration;
+  const auto& [options, run, progress, stop, approve] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
-      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), &run);
+      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), &run, stop);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);
-  MissionEvents events = EventsOf(run, progress, logged.robot(), steps, driven.Latched(stop));
+  MissionEvents events = DrivenEventsOf(exploration, logged, driven, steps);
   ProgressDisplay& display = progress;
   events.on_stop = [&display, keep = events.on_stop](const MissionStop& at, const MissionMap& map) {
     display.Keep(StopLine(map.size() - 1, at));
@@ -146,9 +169,10 @@ SimulatedMission ExploreForReal(const ExploreRun& exploration) {
 /// The end of a run: the model, and the page.
 std::string FinishExploration(const ExploreRun& exploration, const SimulatedMission& mission,
                               const std::string& of, const std::string& text) {
-  const auto& [options, run, progress, stop] = exploration;
+  const auto& [options, run, progress, stop, approve] = exploration;
   const std::size_t stops = mission.mission.stops.size();
-  if (mission.mission.end == MissionEnd::kStopped) {
+  const bool called_off = mission.mission.end == MissionEnd::kRejected && stop && stop();
+  if (mission.mission.end == MissionEnd::kStopped || called_off) {
     run.WriteProgress("stopped", stops, 0);
     return text + "stopped; --resume goes on from here\n";
   }
@@ -167,9 +191,10 @@ void CheckExplore(const ExploreStudyOptions& options) {
 }
 
 std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
-                       ProgressDisplay& progress, const std::function<bool()>& stop) {
+                       ProgressDisplay& progress, const std::function<bool()>& stop,
+                       const std::function<bool(const PlannedDrive&)>& approve) {
   WriteManifest(run, {});
-  const ExploreRun exploration{options, run, progress, stop};
+  const ExploreRun exploration{options, run, progress, stop, approve};
   if (options.robot.kind == RobotKind::kHardware) {
     progress.Show("finding the devices");
     const SimulatedMission mission = ExploreForReal(exploration);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "drivers/simulated/load_world.h"
+#include "experiments/field/preflight_options.h"
 #include "experiments/mission/mission_world.h"
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/run/progress_display.h"
@@ -15,9 +16,11 @@ struct ExploreStudyOptions {
   std::string world = "builtin:robobench";
   int seed = 1;
   int threads = 2;
-  ExploringRobotOptions robot{CoarseRobotOptions()};
-  drivers::HardwareRobotOptions hardware = CoarseHardwareOptions();
+  ExploringRobotOptions robot{MissionRobotOptions()};
+  drivers::HardwareRobotOptions hardware = MissionHardwareOptions();
   drivers::EmulatedRobotOptions emulated;
+  PreflightOptions check;
+  bool approve = false;
   MissionOptions mission;
   FloorScannerOptions scanner;
   MissionWorldOptions judge;
@@ -37,6 +40,9 @@ struct ExploreStudyOptions {
     visit("hardware", self.hardware,
           "of robots of devices: their drivers, how scans are taken, the wheels");
     visit("emulated", self.emulated, "the emulated devices, on the simulated base of robot.base");
+    visit("check", self.check, "what ariadne check asks of a robot on ports before it leaves");
+    visit("approve", self.approve,
+          "ask on the terminal before each drive, like --approve; any key, or a lost terminal, stops");
     visit("mission", self.mission, "the mission");
     visit("scanner", self.scanner, "what a scan can show of the walls, which counts as covered");
     visit("judge", self.judge, "what there is to see, against which the mission is judged");
@@ -52,8 +58,10 @@ void CheckExplore(const ExploreStudyOptions& options);
 
 /// Explores, with every answer of the robot on robot.log and every scan in scans/ before the next step; a
 /// run that was killed repeats its decisions from the log and goes on where it was. `stop` is asked before
-/// each command of the robot. Returns what to print.
+/// each command of the robot, and `approve` before each drive that is not on the log already; false ends
+/// the mission. Returns what to print.
 std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& run,
-                       ProgressDisplay& progress, const std::function<bool()>& stop = {});
+                       ProgressDisplay& progress, const std::function<bool()>& stop = {},
+                       const std::function<bool(const PlannedDrive&)>& approve = {});
 
 }  // namespace ariadne::experiments

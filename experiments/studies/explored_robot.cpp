@@ -42,7 +42,7 @@ class Simulated : public ExploredRobot {
 /// A run that is resumed begins its log of the lines anew, and the robot all that it did.
 std::filesystem::path LogOfLinesAnew(const RunDirectory& run) {
   const std::filesystem::path path = run.File(kLineLog);
-  for (int number = 0; std::filesystem::remove(path.string() + "." + std::to_string(number)); ++number) {
+  for (int number = 0; std::filesystem::remove(drivers::LineLogFile(path, number)); ++number) {
   }
   return path;
 }
@@ -80,34 +80,40 @@ class Emulated : public ExploredRobot {
 /// Each start of a run that is resumed has a log of its own: lines.log, lines-2.log ...
 std::filesystem::path NextLogOfLines(const RunDirectory& run) {
   std::filesystem::path path = run.File(kLineLog);
-  for (int start = 2; std::filesystem::exists(path.string() + ".0"); ++start)
+  for (int start = 2; std::filesystem::exists(drivers::LineLogFile(path, 0)); ++start)
     path = run.File("lines-" + std::to_string(start) + ".log");
   return path;
 }
 
 class Real : public ExploredRobot {
  public:
-  Real(const drivers::HardwareRobotOptions& options, const RunDirectory* run)
+  Real(const drivers::HardwareRobotOptions& options, const drivers::GuardOptions& guard,
+       const RunDirectory* run, std::function<bool()> stop)
       : log_(run == nullptr ? nullptr : std::make_unique<drivers::LineLogWriter>(NextLogOfLines(*run))),
-        robot_(RecordedLines(drivers::OpenPorts(options), log_.get()), options) {
+        robot_(RecordedLines(drivers::OpenPorts(options), log_.get()), options),
+        stop_([stop = std::move(stop)] {
+          return stop && stop() ? std::string("it was told to stop") : std::string();
+        }),
+        guarded_(robot_, stop_, guard) {
     robot_.Connect();
   }
 
-  drivers::Robot& robot() override { return robot_; }
+  drivers::Robot& robot() override { return guarded_; }
   const drivers::SimulatedBase* truth() const override { return nullptr; }
   drivers::Seam Resume(drivers::RobotLog&) override { return drivers::Seam::kRestarted; }
 
  private:
   std::unique_ptr<drivers::LineLogWriter> log_;
   drivers::HardwareRobot robot_;
+  drivers::EmergencyStop stop_;
+  drivers::GuardedRobot guarded_;
 };
 
 }  // namespace
 
-drivers::HardwareRobotOptions CoarseHardwareOptions() {
+drivers::HardwareRobotOptions MissionHardwareOptions() {
   drivers::HardwareRobotOptions options;
   options.scanner.resolution = 1.0;
-  options.tilt.slices = 128;
   return options;
 }
 
@@ -115,7 +121,8 @@ std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& ro
                                                  const drivers::HardwareRobotOptions& hardware,
                                                  const drivers::EmulatedRobotOptions& emulated,
                                                  std::shared_ptr<const drivers::RayScene> scene,
-                                                 std::uint64_t seed, const RunDirectory* run) {
+                                                 std::uint64_t seed, const RunDirectory* run,
+                                                 const std::function<bool()>& stop) {
   switch (robot.kind) {
     case RobotKind::kSimulated:
       return std::make_unique<Simulated>(std::move(scene), robot, seed);
@@ -124,7 +131,7 @@ std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& ro
     case RobotKind::kHardware:
       break;
   }
-  return std::make_unique<Real>(hardware, run);
+  return std::make_unique<Real>(hardware, robot.guard, run, stop);
 }
 
 }  // namespace ariadne::experiments

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "drivers/emulated/robot/emulated_robot.h"
 #include "drivers/hardware/line_log.h"
 #include "drivers/hardware/robot/hardware_robot.h"
 #include "drivers/replay/replay_robot.h"
+#include "drivers/safety/guarded_robot.h"
 #include "drivers/simulated/simulated_robot.h"
 #include "experiments/mission/simulated_mission.h"
 #include "experiments/run/run_directory.h"
@@ -23,18 +25,21 @@ enum class RobotKind {
 /// The simulated robot, which is also what an emulated one is in its world, and which of them explores.
 struct ExploringRobotOptions : drivers::SimulatedRobotOptions {
   RobotKind kind = RobotKind::kSimulated;
+  drivers::GuardOptions guard = {};
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("kind", self.kind,
           "simulated, without devices; emulated: the drivers of the real one talk to emulated devices, in "
           "virtual time; hardware: they talk to ports. `robot: emulated` is short for it");
+    visit("guard", self.guard,
+          "when the wheels of a robot on ports are stopped, whatever the mission wants");
     drivers::SimulatedRobotOptions::Visit(self, visit);
   }
 };
 
-/// Scans like those of CoarseRobotOptions.
-drivers::HardwareRobotOptions CoarseHardwareOptions();
+/// Scans like those of MissionRobotOptions.
+drivers::HardwareRobotOptions MissionHardwareOptions();
 
 /// Where a run keeps what crossed the lines to the devices.
 constexpr const char* kLineLog = "lines.log";
@@ -55,12 +60,14 @@ class ExploredRobot {
 };
 
 /// What crosses the lines of a robot of devices is kept in the run, if there is one. `scene` is not used
-/// for a real robot, whose devices must answer: Error that says which does not.
+/// for a real robot, whose devices must answer: Error that says which does not. Its wheels are stopped
+/// where `stop` says so, and stay so.
 std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& robot,
                                                  const drivers::HardwareRobotOptions& hardware,
                                                  const drivers::EmulatedRobotOptions& emulated,
                                                  std::shared_ptr<const drivers::RayScene> scene,
-                                                 std::uint64_t seed, const RunDirectory* run);
+                                                 std::uint64_t seed, const RunDirectory* run,
+                                                 const std::function<bool()>& stop = {});
 
 }  // namespace ariadne::experiments
 

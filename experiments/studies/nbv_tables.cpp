@@ -15,8 +15,9 @@ namespace {
 using NbvValues = std::vector<double>;
 using NbvMeasure = std::function<double(const NbvTrial&)>;
 
-constexpr double kNever =
-    100.0;  // times the bound, where a share was never seen: any large number ranks last
+// Where a share was never seen, its ratio stands for infinity: it ranks last, and what is interpolated
+// with it, or changed to it, counts as never too.
+constexpr double kNever = 1e12, kAtLeastNever = 1e6;
 
 std::vector<std::string> NamesIn(std::span<const NbvTrial> trials, std::string NbvTrial::*name) {
   std::vector<std::string> names;
@@ -33,6 +34,16 @@ std::vector<NbvTrial> OfVariant(std::span<const NbvTrial> trials, const std::str
     return trial.study == study && trial.variant == variant;
   });
   return chosen;
+}
+
+/// The trials of `default` from the starts that a variant has been tried from.
+std::vector<NbvTrial> DefaultFromStartsOf(std::span<const NbvTrial> variant,
+                                          std::span<const NbvTrial> trials) {
+  std::uint64_t last = 0;
+  for (const NbvTrial& t : variant) last = std::max(last, t.seed);
+  std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
+  std::erase_if(base, [&](const NbvTrial& t) { return t.seed > last; });
+  return base;
 }
 
 /// For each floor the median over its seeds.
@@ -63,12 +74,16 @@ double LeastOver(std::span<const NbvTrial> trials, const NbvMeasure& measure) {
   return least;
 }
 
-std::string RatioText(const NbvValues& values, const BootstrapOptions& bootstrap) {
+/// A number with its interval, by `format` or as `never`.
+std::string WithInterval(const NbvValues& values, const BootstrapOptions& bootstrap,
+                         const std::function<std::string(double)>& format) {
   const Interval i = BootstrapInterval(values, MedianStatistic, bootstrap);
-  const auto number = [](double v) {
-    return v >= kNever ? std::string("never") : fmt::format("{:.2f}", v);
-  };
-  return fmt::format("{} [{}, {}]", number(i.estimate), number(i.low), number(i.high));
+  const auto text = [&](double v) { return v >= kAtLeastNever ? std::string("never") : format(v); };
+  return fmt::format("{} [{}, {}]", text(i.estimate), text(i.low), text(i.high));
+}
+
+std::string RatioText(const NbvValues& values, const BootstrapOptions& bootstrap) {
+  return WithInterval(values, bootstrap, [](double v) { return fmt::format("{:.2f}", v); });
 }
 
 /// A variant beside the default, floor by floor.
@@ -83,8 +98,7 @@ Comparison Compare(const NbvValues& variant, const NbvValues& base, const Bootst
     change.push_back(100.0 * (variant[i] / base[i] - 1.0));
     logs.push_back(std::log(variant[i] / base[i]));
   }
-  const Interval i = BootstrapInterval(change, MedianStatistic, bootstrap);
-  return {fmt::format("{:+.0f} [{:+.0f}, {:+.0f}]", i.estimate, i.low, i.high),
+  return {WithInterval(change, bootstrap, [](double v) { return fmt::format("{:+.0f}", v); }),
           TestSignedRank(logs).p_two_sided};
 }
 
@@ -124,12 +138,14 @@ Table NbvFloorTable(std::span<const NbvTrial> trials, std::span<const NbvFloorSu
     for (const NbvTrial& t : base) {
       if (t.floor != floor.name) continue;
       tours.push_back(t.bound_path);
-      scans.push_back(t.scans_95);
-      ways.push_back(t.path_95);
+      scans.push_back(std::min(t.scans_95, kNever));
+      ways.push_back(std::min(t.path_95, kNever));
       covered.push_back(100.0 * t.covered);
     }
     const auto median = [](const NbvValues& values) {
-      return values.empty() ? std::string("-") : fmt::format("{:.0f}", Median(values));
+      if (values.empty()) return std::string("-");
+      const double middle = Median(values);
+      return middle < kAtLeastNever ? fmt::format("{:.0f}", middle) : std::string("never");
     };
     table.rows.push_back({floor.name, fmt::format("{:.0f}", floor.reachable_area),
                           fmt::format("{:.0f}", floor.wall_length), std::to_string(floor.fewest_views),
@@ -147,13 +163,11 @@ Table NbvStudyTable(std::span<const NbvTrial> trials, const std::string& study,
   std::vector<NbvTrial> of_study;
   std::ranges::copy_if(trials, std::back_inserter(of_study),
                        [&](const NbvTrial& t) { return t.study == study; });
-  std::uint64_t seeds = 0;
-  for (const NbvTrial& t : of_study) seeds = std::max(seeds, t.seed);
-  std::vector<NbvTrial> base = OfVariant(trials, "policies", "default");
-  std::erase_if(base, [&](const NbvTrial& t) { return t.seed > seeds; });
+  if (of_study.empty()) return table;
   std::vector<double> p_scans, p_ways;
   for (const std::string& name : NamesIn(of_study, &NbvTrial::variant)) {
     const std::vector<NbvTrial> variant = OfVariant(trials, study, name);
+    const std::vector<NbvTrial> base = DefaultFromStartsOf(variant, trials);
     const Comparison scans = Compare(ByFloor(variant, ScanRatio), ByFloor(base, ScanRatio), bootstrap);
     const Comparison ways = Compare(ByFloor(variant, PathRatio), ByFloor(base, PathRatio), bootstrap);
     p_scans.push_back(scans.p);

@@ -23,8 +23,9 @@ Table NbvTrialTable(std::span<const NbvTrial> trials);
 /// The floors: their size, the fewest views, and a tour through them.
 Table NbvFloorTable(std::span<const NbvTrial> trials, std::span<const NbvFloorSummary> floors);
 
-/// One row for each variant of a study: medians over floors of what the seeds of a floor have in the mean,
-/// with intervals, and the difference from `default` as paired by floor, with Wilcoxon's test after Holm.
+/// One row for each variant of a study: medians over floors of the median over the seeds of a floor, with
+/// intervals (`never` where the share was not reached, which counts as infinite), and the difference from
+/// `default` as paired by floor, with Wilcoxon's test after Holm.
 Table NbvStudyTable(std::span<const NbvTrial> trials, const std::string& study,
                     const BootstrapOptions& bootstrap);
 

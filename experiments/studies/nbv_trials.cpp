@@ -21,14 +21,12 @@ slam::Pose2 StartOn(const NbvFloor& floor, std::uint64_t seed) {
 }  // namespace
 
 NbvFloor PrepareFloor(const std::string& world, const NbvFloorOptions& options,
-                      const FloorScannerOptions& scanner, bool with_bound, const Parallel& parallel) {
+                      const FloorScannerOptions& scanner, const Parallel& parallel) {
   Floor cut = CutFloor(drivers::LoadWorld(ExpandDataPath(world).string()), options.height);
   std::vector<Eigen::Vector2d> reachable = ReachableFloor(cut, options.cover);
   FloorCover cover = FindFloorCover(cut, reachable, scanner, options.cover, parallel);
   planning::FreeSpace free = FreeFloor(cut, reachable, scanner, kFreeSpacing);
-  FloorBound bound;
-  if (with_bound) bound = FindFloorBound(cut, reachable, cover, free, scanner, options.bound, parallel);
-  return {std::move(cut), std::move(reachable), std::move(cover), std::move(free), std::move(bound)};
+  return {std::move(cut), std::move(reachable), std::move(cover), std::move(free), {}};
 }
 
 NbvTrial TryNbv(const NbvFloor& floor, const NbvVariant& variant, double share, std::uint64_t seed) {

@@ -31,9 +31,9 @@ struct NbvFloorOptions {
   }
 };
 
-/// Loads and cuts a world; without a bound where `with_bound` is false.
+/// Loads and cuts a world; the bound is still to be found (nbv_bounds.h).
 NbvFloor PrepareFloor(const std::string& world, const NbvFloorOptions& options,
-                      const FloorScannerOptions& scanner, bool with_bound, const Parallel& parallel);
+                      const FloorScannerOptions& scanner, const Parallel& parallel);
 
 /// A way of planning under its name in tables.
 struct NbvVariant {

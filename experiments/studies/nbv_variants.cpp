@@ -46,8 +46,9 @@ void SetFieldOfView(ExploreOptions& explore, double degrees) {
 
 /// The paper's gain with the default's weights, and the default's gain with rays' depths.
 std::vector<NbvVariant> Gains(const ExploreOptions& base) {
-  std::vector<NbvVariant> variants{{"gain", "rays", base}};
+  std::vector<NbvVariant> variants{{"gain", "rays", base}, {"gain", "area until known", base}};
   variants[0].explore.planner.view.gain.measure = planning::GainMeasure::kRays;
+  variants[1].explore.planner.view.gain.until_known = true;
   for (const double depth : {2.0, 5.0, 10.0}) {
     variants.push_back({"gain", fmt::format("area {} m", depth), base});
     variants.back().explore.planner.view.gain.depth = depth;
@@ -94,7 +95,7 @@ const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
        }},
       {"c1",
        [](const ExploreOptions& base) {
-         return Numbers<double>("c1", base, {0.0, 0.05, 0.1, 0.2, 0.5, 1.0, 5.0},
+         return Numbers<double>("c1", base, {0.0, 0.05, 0.08, 0.1, 0.2, 0.5, 1.0, 5.0},
                                 [](ExploreOptions& e, double c) { e.planner.view.distance_weight = c; });
        }},
       {"c2",

@@ -13,7 +13,6 @@ namespace {
 constexpr double kGuideStep = 0.25, kGuideShift = 0.05;                    // [m]
 constexpr int kGuideHeadings = 30;                                         // to each side
 constexpr double kGuideHeading = 0.5 * std::numbers::pi / kGuideHeadings;  // [rad]
-constexpr double kShortLeg = 3.0, kLongLeg = 7.0;                          // [m]
 
 /// Across the way to where most room is, if there is little: the shortest way of a disc touches the corners
 /// of a door, and the robot needs its middle.
@@ -88,18 +87,19 @@ std::vector<slam::Pose2> FindGuides(const FreeSpace& space, const Footprint& foo
   return GuidesAlong(space, footprint, way);
 }
 
-std::vector<std::size_t> StopsAmong(const FreeSpace& space, const std::vector<slam::Pose2>& guides) {
+std::vector<std::size_t> StopsAmong(const FreeSpace& space, const std::vector<slam::Pose2>& guides,
+                                    double least, double most) {
   std::vector<std::size_t> stops;
-  double since = 0.0, most = -1.0;  // since the last stop [m], and the clearance of the next so far [m]
+  double since = 0.0, widest = -1.0;  // since the last stop [m], and the clearance of the next so far [m]
   std::size_t best = 0;
   for (std::size_t i = 1; i < guides.size(); ++i) {
     since += (guides[i].translation - guides[i - 1].translation).norm();
     const double clearance = space.Clearance(guides[i].translation);
-    if (since >= kShortLeg && clearance > most) most = clearance, best = i;
-    if (since < kLongLeg || i + 1 == guides.size()) continue;
+    if (since >= least && clearance > widest) widest = clearance, best = i;
+    if (since < most || i + 1 == guides.size()) continue;
     stops.push_back(best);
     i = best;
-    since = 0.0, most = -1.0;
+    since = 0.0, widest = -1.0;
   }
   return stops;
 }

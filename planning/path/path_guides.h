@@ -20,8 +20,9 @@ std::vector<slam::Pose2> FindGuides(const FreeSpace& space, const Footprint& foo
                                     const GeodesicField& reachable, const slam::Pose2& T_map_start,
                                     const slam::Pose2& T_map_goal);
 
-/// Guides 3 to 7 m apart with the most room around them.
-std::vector<std::size_t> StopsAmong(const FreeSpace& space, const std::vector<slam::Pose2>& guides);
+/// Guides that far apart [m] with the most room around them.
+std::vector<std::size_t> StopsAmong(const FreeSpace& space, const std::vector<slam::Pose2>& guides,
+                                    double least, double most);
 
 /// Cells in the box of the guides and around it [m].
 PathSamples SamplesOf(const FreeSpace& space, const GeodesicField& reachable,

@@ -14,6 +14,7 @@
 #include "planning/path/motion_model.h"
 #include "planning/path/ompl_support.h"
 #include "planning/path/path_guides.h"
+#include "planning/path/pose_raster.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::planning {
@@ -27,7 +28,10 @@ constexpr double kSameAngle = 0.1 * std::numbers::pi / 180.0;   // [rad]
 constexpr double kGuideSpread = 0.3;                            // [m]
 constexpr double kGuideTurn = 20.0 * std::numbers::pi / 180.0;  // [rad]
 constexpr int kLegIterations = 300;
+constexpr std::size_t kMostRasterPoses = 5000000;    // a second per million
 constexpr double kAroundLeg = 3.0, kInSight = 20.0;  // [m]
+constexpr double kShortLeg = 3.0, kLongLeg = 7.0;    // between stops on the way of a disc [m]
+constexpr double kShortStep = 0.3, kLongStep = 0.8;  // and on that of poses [m]
 
 class PoseSampler : public ob::StateSampler {
  public:
@@ -119,8 +123,10 @@ class PathPlanner {
     }
     const std::vector<slam::Pose2> guides =
         internal::FindGuides(space_, footprint_, reachable, T_map_start, T_map_goal);
-    std::vector<slam::Pose2> corners =
-        GrowLegs(reachable, T_map_start, T_map_goal, guides, result.iterations);
+    std::vector<slam::Pose2> corners = GrowLegs(reachable, T_map_start, T_map_goal, guides,
+                                                internal::StopsAmong(space_, guides, kShortLeg, kLongLeg),
+                                                options_.max_iterations / 2, result.iterations);
+    if (corners.empty()) corners = GrowOnRaster(reachable, T_map_start, T_map_goal, result.iterations);
     if (corners.empty()) {
       samples_ = internal::SamplesOf(space_, reachable, guides, std::numeric_limits<double>::infinity());
       corners =
@@ -152,12 +158,12 @@ class PathPlanner {
     return info;
   }
 
-  /// From guide to guide, one every few metres: two trees find each other in a room, hardly through ten.
+  /// From stop to stop among the guides, one every few metres: two trees find each other in a room, hardly
+  /// through ten.
   std::vector<slam::Pose2> GrowLegs(const GeodesicField& reachable, const slam::Pose2& T_map_start,
                                     const slam::Pose2& T_map_goal, const std::vector<slam::Pose2>& guides,
-                                    int& iterations) {
+                                    const std::vector<std::size_t>& stops, int up_to, int& iterations) {
     std::vector<slam::Pose2> corners{T_map_start};
-    const std::vector<std::size_t> stops = internal::StopsAmong(space_, guides);
     std::size_t begin = 0;
     for (std::size_t i = 0; i <= stops.size(); ++i) {
       const bool is_last = i == stops.size();
@@ -165,7 +171,7 @@ class PathPlanner {
       const std::vector<slam::Pose2> near(guides.begin() + static_cast<std::ptrdiff_t>(begin),
                                           guides.begin() + static_cast<std::ptrdiff_t>(end));
       samples_ = internal::SamplesOf(space_, reachable, near, kAroundLeg);
-      const int most = std::min(kLegIterations, options_.max_iterations / 2 - iterations);
+      const int most = std::min(kLegIterations, up_to - iterations);
       const auto leg = Grow(corners.back(), is_last ? T_map_goal : guides[stops[i]], most, iterations);
       if (leg.empty() && is_last) return {};
       if (leg.empty()) continue;  // the next stop may be easier to get to
@@ -173,6 +179,18 @@ class PathPlanner {
       if (!is_last) begin = stops[i];
     }
     return corners;
+  }
+
+  /// Where the shortest way of a disc leads through what the rectangle cannot turn in: along poses in each
+  /// of which it fits.
+  std::vector<slam::Pose2> GrowOnRaster(const GeodesicField& reachable, const slam::Pose2& T_map_start,
+                                        const slam::Pose2& T_map_goal, int& iterations) {
+    const std::vector<slam::Pose2> poses =
+        internal::PosesOnRaster(space_, footprint_, T_map_start, T_map_goal, kMostRasterPoses);
+    if (poses.empty()) return {};
+    const auto stops = internal::StopsAmong(space_, poses, kShortStep, kLongStep);
+    return GrowLegs(reachable, T_map_start, T_map_goal, poses, stops, options_.max_iterations * 3 / 4,
+                    iterations);
   }
 
   /// The corners of a path; empty where none is found.

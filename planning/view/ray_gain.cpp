@@ -103,8 +103,12 @@ void RayGain::Project(std::size_t number, const Eigen::Vector2d& p_map, std::spa
         static_cast<std::size_t>(first + k < options_.rays ? first + k : first + k - options_.rays);
     const double distance = HitDistance(direction_[ray], a, b, area);
     RayHit& hit = hits[ray];
-    if (!(distance >= 0.0) || distance > hit.distance) continue;
-    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), false, number};
+    if (!(distance >= 0.0)) continue;
+    if (distance > hit.distance) {
+      hit.beyond = std::min(hit.beyond, distance);
+      continue;
+    }
+    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), false, number, hit.distance};
   }
 }
 
@@ -114,7 +118,8 @@ bool RayGain::IsUnseen(const RayHit& hit) const {
 }
 
 double RayGain::AreaBehind(const RayHit& hit) const {
-  const double end = std::min(hit.distance + options_.depth, options_.max_range);
+  double end = std::min(hit.distance + options_.depth, options_.max_range);
+  if (options_.until_known) end = std::min(end, hit.beyond);
   return 0.5 * step_ * (end * end - hit.distance * hit.distance);
 }
 

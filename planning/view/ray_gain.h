@@ -19,6 +19,7 @@ enum class GainMeasure {
 struct RayGainOptions {
   GainMeasure measure = GainMeasure::kRays;
   double depth = 5.0;
+  bool until_known = false;
   int rays = 360;
   double field_of_view = 180.0;
   double min_range = 0.5;
@@ -31,6 +32,9 @@ struct RayGainOptions {
           "(after Gonzalez-Banos and Latombe 2002)");
     visit("depth", self.depth, Unit("m"), Range{0.1, 1000.0},
           "behind an unseen edge, of that sector; a room's");
+    visit("until_known", self.until_known,
+          "whether that sector ends where its ray comes back to what is known; the gaps that the robot has "
+          "just passed then wait, and cost a tenth more way later");
     visit("rays", self.rays, Unit("1/turn"), Range{4, 36000},
           "around a place; the paper leaves the step open, 360 is the sensor's 1 deg");
     visit("field_of_view", self.field_of_view, Unit("deg"), Range{0.0, 360.0},
@@ -49,6 +53,7 @@ struct RayHit {
   bool seen = false;                                          // the label of the edge
   bool spent = false;    // whether an unseen edge has nothing more to give
   std::size_t edge = 0;  // its number, where there is a hit
+  double beyond = std::numeric_limits<double>::infinity();  // distance of the next edge behind [m]
 };
 
 /// The best field of view of a place.

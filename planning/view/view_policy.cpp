@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kPotentialReach = 5.0;  // lambda = 0.2 / m (Gonzalez-Banos, Latombe 2002) [m]
 constexpr std::size_t kPairs = 20;       // views of which pairs are looked at
+constexpr double kRasterShare = 0.99;    // of a straight line, that no way falls below
 
 template <typename Value>
 std::size_t BestOf(std::span<const std::size_t> among, const Value& value) {
@@ -42,7 +43,20 @@ std::size_t ChooseOfTwoSteps(const ViewChoice& choice, const NextViewOptions& op
   std::vector<std::size_t> best = choice.worth;
   std::ranges::stable_sort(best, [&](std::size_t a, std::size_t b) { return alone(a) > alone(b); });
   best.resize(std::min(best.size(), kPairs));
+  // No way is shorter than the straight line, but for the rounding of ways on a raster.
+  const auto at_most = [&](std::size_t first) {
+    double further = 0.0;
+    for (const std::size_t second : best) {
+      const double straight = (choice.views[first].p_map - choice.views[second].p_map).norm();
+      const double way = choice.views[first].distance + kRasterShare * straight;
+      const double gain = FurtherGain(choice.pieces[first], choice.pieces[second]);
+      further = std::max(further, gain * std::exp(-options.distance_weight * way));
+    }
+    return alone(first) + further;
+  };
+  double highest = 0.0;
   const auto with_second = [&](std::size_t first) {
+    if (at_most(first) <= highest) return 0.0;  // it cannot win: spare the search for its ways
     const std::vector<double> ways = choice.ways(first, best);
     double further = 0.0;
     for (std::size_t k = 0; k < best.size(); ++k) {
@@ -50,6 +64,7 @@ std::size_t ChooseOfTwoSteps(const ViewChoice& choice, const NextViewOptions& op
       const double gain = FurtherGain(choice.pieces[first], choice.pieces[best[k]]);
       further = std::max(further, gain * std::exp(-options.distance_weight * way));
     }
+    highest = std::max(highest, alone(first) + further);
     return alone(first) + further;
   };
   return BestOf(best, with_second);

@@ -172,6 +172,19 @@ TEST(WheelOdometry, IsHonestAboutRadiiAndTrack) {
 
 TEST(WheelOdometry, IsHonestAboutAllTogether) { ExpectHonestCovariance({}); }
 
+/// A right wheel that is 2 % larger, which the odometry knows: it drives an arc where both count alike.
+TEST(WheelOdometry, KnowsUnequalWheels) {
+  DriveGeometry geometry;
+  geometry.radius_ratio = 1.02;
+  const WheelPair ways = geometry.WaysOf(1000.0, 1000.0);
+  EXPECT_NEAR(ways.right / ways.left, 1.02, 1e-12);
+  EXPECT_NEAR(0.5 * (ways.left + ways.right), 1000.0 * geometry.MetersPerTick(), 1e-12);
+  WheelOdometry odometry(geometry, {});
+  odometry.Update({0, 0});
+  const slam::Odometry& moved = odometry.Update({1000, 1000});
+  EXPECT_NEAR(moved.T_odom_base.angle, (ways.right - ways.left) / geometry.track, 1e-12);
+}
+
 TEST(WheelOdometry, RefusesOptionsOutOfRange) {
   DriveGeometry geometry;
   geometry.track = 0.0;

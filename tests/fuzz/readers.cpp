@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/crc.hpp>
+#include <cstring>
 #include <iterator>
 #include <memory>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "drivers/hardware/dynamixel/packet.h"
+#include "drivers/hardware/hobby_servo/maestro.h"
+#include "drivers/hardware/line_log_stream.h"
 #include "drivers/hardware/lms200/command.h"
 #include "drivers/hardware/lms200/reply.h"
 #include "drivers/hardware/lms200/telegram_decoder.h"
@@ -256,7 +261,73 @@ bool AcceptsRoboclaw(std::string_view bytes) {
   return Accepts(bytes, read, [](std::ostream& out, const std::string& requests) { out << requests; });
 }
 
-constexpr std::array<Reader, 19> kReaders{{{"uos_cloud", AcceptsUosCloud},
+/// Requests to a servo controller.
+std::string ServoRequestsIn(std::string_view bytes, std::size_t piece) {
+  drivers::hobby_servo::RequestDecoder decoder;
+  std::string requests;
+  for (; !bytes.empty(); bytes.remove_prefix(std::min(piece, bytes.size()))) {
+    decoder.Push(ViewOf(bytes.substr(0, piece)));
+    while (const std::optional<drivers::hobby_servo::Request> request = decoder.Next()) {
+      const drivers::Bytes encoded = drivers::hobby_servo::EncodeRequest(*request);
+      requests.append(encoded.begin(), encoded.end());
+    }
+  }
+  return requests;
+}
+bool AcceptsHobbyServo(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    std::string requests = ServoRequestsIn(all, all.size() + 1);
+    if (ServoRequestsIn(all, 1) != requests) throw std::logic_error("pieces are read differently");
+    if (requests.empty()) Fail("no request");
+    return requests;
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const std::string& requests) { out << requests; });
+}
+
+/// The same file with the checksums that its chunks should have, so that what lies behind them is reached.
+drivers::Bytes WithChecksums(const std::string& file) {
+  drivers::Bytes mended(file.begin(), file.end());
+  for (std::size_t at = 8; at + 8 <= mended.size();) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, mended.data() + at, sizeof length);
+    if (length > mended.size() - at - 8) break;
+    boost::crc_32_type crc;
+    crc.process_bytes(&length, sizeof length);
+    crc.process_bytes(mended.data() + at + 8, length);
+    const std::uint32_t checksum = crc.checksum();
+    std::memcpy(mended.data() + at + 4, &checksum, sizeof checksum);
+    at += 8 + std::size_t{length};
+  }
+  return mended;
+}
+
+/// A file of a log of lines: its records, if it ends with a whole one.
+std::vector<drivers::LoggedRecord> RecordsIn(drivers::ByteView file) {
+  drivers::LineLogDecoder decoder(file);
+  std::vector<drivers::LoggedRecord> records;
+  while (std::optional<drivers::LoggedRecord> record = decoder.Next()) records.push_back(*record);
+  if (decoder.position() != file.size()) Fail("torn");
+  return records;
+}
+bool AcceptsLineLog(std::string_view bytes) {
+  const auto read = [](std::istream& in, const std::string&) {
+    const std::string all(std::istreambuf_iterator<char>(in), {});
+    try {
+      RecordsIn(WithChecksums(all));
+    } catch (const Error&) {  // the proper answer to damage
+    }
+    return RecordsIn(ViewOf(all));
+  };
+  return Accepts(bytes, read, [](std::ostream& out, const std::vector<drivers::LoggedRecord>& records) {
+    drivers::LineLogEncoder encoder;
+    const auto put = [&](const drivers::Bytes& part) { out << std::string(part.begin(), part.end()); };
+    put(encoder.Begin());
+    for (const drivers::LoggedRecord& record : records) put(encoder.Add(record));
+  });
+}
+
+constexpr std::array<Reader, 21> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"uos_pose", AcceptsUosPose},
                                            {"uos_frames", AcceptsUosFrames},
                                            {"xyz", AcceptsXyz},
@@ -274,7 +345,9 @@ constexpr std::array<Reader, 19> kReaders{{{"uos_cloud", AcceptsUosCloud},
                                            {"lms200_stream", AcceptsLms200Stream},
                                            {"lms200_payload", AcceptsLms200Payload},
                                            {"dynamixel", AcceptsDynamixel},
-                                           {"roboclaw", AcceptsRoboclaw}}};
+                                           {"roboclaw", AcceptsRoboclaw},
+                                           {"hobby_servo", AcceptsHobbyServo},
+                                           {"line_log", AcceptsLineLog}}};
 
 }  // namespace
 

@@ -107,9 +107,11 @@ TEST_F(ErrorsTest, OfArgumentsHaveStatusTwo) {
   EXPECT_EQ(Ariadne("register good --out run --resume --overwrite").status, 2);
   const Ended unknown = Ariadne("regsiter good");
   EXPECT_EQ(unknown.status, 2);
-  EXPECT_THAT(unknown.err,
-              StartsWith("there is no command 'regsiter'; there are explore, register, optimize, run, emulate, "
-                         "convert, info, config, simulate, extract, map, plan, export, view\n"));
+  EXPECT_THAT(
+      unknown.err,
+      StartsWith("there is no command 'regsiter'; there are explore, register, optimize, run, emulate, "
+                 "convert, info, config, simulate, extract, map, plan, export, view, devices, log, "
+                 "calibrate, check\n"));
   EXPECT_FALSE(fs::exists(folder_ / "run"));
 }
 

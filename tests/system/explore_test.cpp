@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -12,6 +13,7 @@
 namespace ariadne {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class Explore : public ProgramTest {
@@ -88,6 +90,25 @@ TEST_F(Explore, TellsWhereTheDiskIsFullAndGoesOnWhenItIsNot) {
   Must("explore --resume --out run -q");
   EXPECT_TRUE(Content("whole/map.ply") == Content("run/map.ply"));
   EXPECT_EQ(Content("whole/metrics.json"), Content("run/metrics.json"));
+}
+
+/// Without an answer the robot does not drive: the end of the input is that of who watches.
+TEST_F(Explore, DrivesOnlyWhereItIsAllowedTo) {
+  const Ended lost = Ariadne("explore rooms.yaml --out lost --approve -q");
+  EXPECT_EQ(lost.status, 1);
+  EXPECT_THAT(lost.out, AllOf(HasSubstr("plan: "), HasSubstr("--resume goes on")));
+  const Ended once = Shell("echo yq | ariadne explore rooms.yaml --out asked --approve -q");
+  EXPECT_EQ(once.status, 1);
+  std::string stops = Content("asked/stops.csv");
+  EXPECT_EQ(std::ranges::count(stops, '\n'), 3) << stops;  // the head, the first scan, and one more
+  const Ended on = Shell("echo yyyyyyyy | ariadne explore --resume --out asked --approve -q");
+  EXPECT_EQ(on.status, 0) << on.err;
+  Must("explore rooms.yaml --out whole -q");
+  EXPECT_TRUE(Content("whole/map.ply") == Content("asked/map.ply"));
+  EXPECT_TRUE(Content("whole/robot.log") == Content("asked/robot.log"));
+  const Ended no = Shell("echo n | ariadne explore rooms.yaml --out no --approve -q");
+  EXPECT_EQ(no.status, 0) << no.err;
+  EXPECT_THAT(no.out, HasSubstr("a plan was not approved"));
 }
 
 TEST_F(Explore, SaysWhatItCannotDo) {

@@ -10,8 +10,9 @@ using testing::HasSubstr;
 
 class Help : public ProgramTest, public testing::WithParamInterface<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
-                         testing::Values("explore", "register", "optimize", "run", "emulate", "convert", "info",
-                                         "config", "simulate", "extract", "map", "export", "view"),
+                         testing::Values("explore", "register", "optimize", "run", "emulate", "convert",
+                                         "info", "config", "simulate", "extract", "map", "export", "view",
+                                         "devices", "log", "calibrate", "check"),
                          [](const auto& name) { return name.param; });
 
 TEST_P(Help, EndsWithAnExample) {

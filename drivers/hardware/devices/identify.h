@@ -6,6 +6,7 @@
 
 #include "drivers/hardware/byte_stream.h"
 #include "drivers/hardware/serial_port.h"
+#include "slam/base/options.h"
 
 namespace ariadne::drivers {
 
@@ -33,3 +34,8 @@ struct DeviceListing {
 std::vector<DeviceListing> ListDevices(const std::vector<SerialPortName>& ports = ListSerialPorts());
 
 }  // namespace ariadne::drivers
+
+template <>
+struct ariadne::EnumNames<ariadne::drivers::DeviceKind> {
+  static constexpr std::array<std::string_view, 3> value = {"LMS-200", "Dynamixel", "RoboClaw"};
+};

@@ -1,12 +1,17 @@
 #include "drivers/hardware/line_log.h"
 
+#include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
+#include <functional>
 
 #include "slam/base/error.h"
 #include "slam/base/random.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
 namespace {
@@ -55,7 +60,7 @@ TEST_F(LineLogTest, ReturnsWhatWasWritten) {
 
 TEST_F(LineLogTest, HasFilesOfLimitedSize) {
   WriteSome(500);
-  EXPECT_TRUE(fs::exists(folder_ / "log.8"));
+  EXPECT_TRUE(fs::exists(folder_ / "log.008"));
   for (const fs::directory_entry& file : fs::directory_iterator(folder_)) EXPECT_LE(file.file_size(), 500U);
   EXPECT_EQ(ReadLineLog(folder_ / "log"), written_);
 }
@@ -63,7 +68,7 @@ TEST_F(LineLogTest, HasFilesOfLimitedSize) {
 /// Wherever a kill or a full disk ends the file, all whole records before are read.
 TEST_F(LineLogTest, LosesNothingButTheTornRecord) {
   WriteSome(1U << 20U);
-  const fs::path path = folder_ / "log.0";
+  const fs::path path = folder_ / "log.000";
   std::size_t records = 100;
   for (std::uintmax_t size = fs::file_size(path); size > 0; size -= std::min<std::uintmax_t>(size, 7)) {
     fs::resize_file(path, size);
@@ -79,24 +84,86 @@ TEST_F(LineLogTest, LosesNothingButTheTornRecord) {
   }
 }
 
+/// The order among lines is that of the calls, and what is torn is told.
+TEST_F(LineLogTest, TellsWhatItIsMadeOf) {
+  WriteSome(500);
+  std::map<std::uint8_t, std::vector<LineRecord>> visited;
+  std::vector<std::uint8_t> lines;
+  const auto visit = [&](const LoggedRecord& logged) {
+    visited[logged.line].push_back(logged.record);
+    lines.push_back(logged.line);
+  };
+  const LineLogFiles whole = VisitLineLog(folder_ / "log", visit);
+  EXPECT_EQ(visited, written_);
+  EXPECT_NE(std::adjacent_find(lines.begin(), lines.end(), std::greater<>()), lines.end()) << "mixed";
+  EXPECT_EQ(whole.records, 100U);
+  EXPECT_EQ(whole.torn, 0U);
+  const fs::path last = folder_ / fmt::format("log.{:03}", whole.files - 1);
+  fs::resize_file(last, fs::file_size(last) - 1);
+  const LineLogFiles torn = VisitLineLog(folder_ / "log", [](const LoggedRecord&) {});
+  EXPECT_EQ(torn.records, 99U);
+  EXPECT_EQ(torn.size, whole.size - 1);
+  EXPECT_GT(torn.torn, 0U);
+}
+
 TEST_F(LineLogTest, SaysWhereAMiddleFileIsDamaged) {
   WriteSome(500);
-  std::fstream file(folder_ / "log.3", std::ios::binary | std::ios::in | std::ios::out);
+  std::fstream file(folder_ / "log.003", std::ios::binary | std::ios::in | std::ios::out);
   file.seekp(30);
   file.put('\x55');
   file.close();
-  EXPECT_THROW(ReadLineLog(folder_ / "log"), Error);
+  EXPECT_THAT(ErrorOf([&] { ReadLineLog(folder_ / "log"); }), testing::HasSubstr("damaged at byte"));
 }
 
-TEST_F(LineLogTest, TakesNoZerosForRecords) {
-  EXPECT_FALSE(DecodeLineRecord(Bytes(100)));
-  RandomStream stream = NamedStream(2, "flips");
-  for (int i = 0; i < 500; ++i) {
-    Bytes bytes = EncodeLineRecord(3, AnyRecord(stream));
-    const std::size_t bit = stream() % (8 * bytes.size());
-    bytes[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
-    EXPECT_FALSE(DecodeLineRecord(bytes));
+TEST_F(LineLogTest, IsFoundByEachOfItsNames) {
+  WriteSome(500);
+  const std::vector<fs::path> log{folder_ / "log"};
+  EXPECT_EQ(FindLineLogs(folder_), log);
+  EXPECT_EQ(FindLineLogs(folder_ / "log"), log);
+  EXPECT_EQ(FindLineLogs(folder_ / "log.002"), log);
+  std::ofstream(folder_ / "other.000") << "something else";
+  EXPECT_EQ(FindLineLogs(folder_), log);
+  EXPECT_THROW(FindLineLogs(folder_ / "other.000"), Error);
+  EXPECT_THROW(FindLineLogs(folder_ / "none"), Error);
+}
+
+/// Sweeps of a standing scanner differ by little, and most reads are empty.
+TEST_F(LineLogTest, TakesAFractionOfTheBytesThatCrossedTheLine) {
+  RandomStream stream = NamedStream(3, "sweeps");
+  Bytes sweep(732);
+  for (std::uint8_t& byte : sweep) byte = static_cast<std::uint8_t>(stream() & 0xFF);
+  std::size_t crossed = 0;
+  {
+    LineLogWriter writer(folder_ / "log");
+    for (int i = 0; i < 200; ++i) {
+      for (int k = 0; k < 30; ++k) sweep[stream() % sweep.size()] ^= 1U;
+      writer.Add(0, {LineRecord::Kind::kRead, 0.01 * i, sweep});
+      writer.Add(0, {LineRecord::Kind::kRead, 0.01 * i + 0.005, {}});
+      crossed += sweep.size();
+    }
   }
+  const LineLogFiles log = VisitLineLog(folder_ / "log", [](const LoggedRecord&) {});
+  EXPECT_LT(static_cast<double>(log.size), 0.5 * static_cast<double>(crossed));
+}
+
+/// Each bit of a record counts, and zeros, as file systems leave them, are none.
+TEST(LineLogStream, TakesNothingForARecordThatIsNone) {
+  LineLogEncoder encoder;
+  Bytes file = encoder.Begin();
+  const std::size_t head = file.size();
+  const Bytes record = encoder.Add({3, {LineRecord::Kind::kWrite, 1.5, {1, 2, 3}, 9600}});
+  file.insert(file.end(), record.begin(), record.end());
+  EXPECT_TRUE(LineLogDecoder(file).Next());
+  for (std::size_t bit = 8 * head; bit < 8 * file.size(); ++bit) {
+    Bytes damaged = file;
+    damaged[bit / 8] ^= static_cast<std::uint8_t>(1U << (bit % 8));
+    EXPECT_FALSE(LineLogDecoder(damaged).Next()) << bit;
+  }
+  Bytes zeros = encoder.Begin();
+  zeros.resize(100);
+  EXPECT_FALSE(LineLogDecoder(zeros).Next());
+  EXPECT_THROW(LineLogDecoder(Bytes{'A', 'X'}), Error);
+  EXPECT_FALSE(LineLogDecoder(Bytes{}).Next());
 }
 
 }  // namespace

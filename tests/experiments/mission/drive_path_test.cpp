@@ -70,6 +70,28 @@ TEST_F(DrivePathTest, StandsBeforeAWallThatThePathLeadsThrough) {
   EXPECT_EQ(robot_.State().velocity.forward, 0.0);
 }
 
+TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
+  const Eigen::Vector2d start = robot_.T_map_base_true().translation, goal(4.0, 2.5);
+  const Eigen::Vector2d ahead = (goal - start).normalized(), left(-ahead.y(), ahead.x());
+  constexpr double kHalfGate = 0.3 + 0.035;  // half the robot's width, and 3.5 cm
+  const Eigen::Vector2d gate = start + 1.5 * ahead;
+  const std::vector<Eigen::Vector2d> posts{gate + kHalfGate * left, gate - kHalfGate * left};
+  const std::vector<slam::Pose2> path = Straight(start, goal);
+  const auto drive = [&](double margin) {
+    drivers::SimulatedRobot robot(TwoRoomsScene(), RobotOptions(), 3);
+    robot.Drive({0.0, 0.3});  // to look along the path
+    const double angle = std::atan2(ahead.y(), ahead.x());
+    while (std::abs(slam::WrapAngle(robot.T_map_base_true().angle - angle)) > 0.02)
+      robot.Drive({0.0, 0.3}), robot.WaitUntil(robot.Now() + 0.01);
+    robot.Drive({});
+    robot.WaitUntil(robot.Now() + 1.0);
+    const Localizer localizer(robot, robot.T_map_base_true(), nullptr, scanner_, {});
+    return DrivePath(robot, localizer, {path, {}, {}, posts, margin}, {}, {}).end;
+  };
+  EXPECT_EQ(drive(0.02), DriveEnd::kArrived);
+  EXPECT_EQ(drive(0.08), DriveEnd::kBlocked);
+}
+
 TEST_F(DrivePathTest, ContactIsLeftByTheWayThatItCame) {
   DriveOptions options;
   options.avoid_obstacles = false;

@@ -23,7 +23,7 @@ inline std::shared_ptr<const drivers::RayScene> TwoRoomsScene() {
 
 /// Coarse scans, few candidates.
 inline drivers::SimulatedRobotOptions QuickRobot() {
-  drivers::SimulatedRobotOptions options = CoarseRobotOptions();
+  drivers::SimulatedRobotOptions options = MissionRobotOptions();
   options.ais.slices = 64;
   return options;
 }

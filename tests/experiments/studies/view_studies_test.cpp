@@ -1,4 +1,4 @@
-// Fig. 6 and 7, and the planners against the fewest views, on a floor of two rooms.
+// Fig. 6 and 7, the planners against the fewest views on a floor of two rooms, and how long they take.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,8 +21,9 @@ class ViewStudyTest : public StudyTest {
     folder_.Write("two_rooms.json", kTwoRooms);
     OptionEntries entries;
     entries.Set("floors=" + (folder_ / "two_rooms.json").string());
-    for (const char* assignment : {"seeds=2", "study_seeds=1", "studies=policies, samplers, ways",
-                                   "floor.bound.place_spacing=1", "bootstrap.resamples=100"}) {
+    for (const char* assignment :
+         {"seeds=2", "policy_seeds=2", "study_seeds=1", "studies=policies, samplers, ways",
+          "floor.bound.place_spacing=1", "bootstrap.resamples=100"}) {
       entries.Set(assignment);
     }
     return entries;
@@ -55,6 +56,23 @@ TEST_F(ViewStudyTest, AblationNbvHoldsPoliciesAgainstTheFewestViews) {
   EXPECT_EQ(Content("again/trials.csv"), before) << "whatever the number of threads";
 }
 
+TEST_F(ViewStudyTest, AblationNbvTakesTheBoundsOfAnEarlierRun) {
+  OptionEntries entries = OnTwoRooms();
+  for (const char* assignment : {"studies=policies", "variants=gain"}) entries.Set(assignment);
+  Run("ablation_nbv", entries);
+  EXPECT_EQ(FromCsv(Content("run/policies.csv")).rows.size(), 2U) << "default and gain";
+  entries.Set("bounds_of=" + (folder_ / "run").string());
+  Run("ablation_nbv", entries, "again");
+  EXPECT_EQ(Content("again/trials.csv"), Content("run/trials.csv"));
+  EXPECT_EQ(Content("again/bounds.json"), Content("run/bounds.json"));
+  entries.Set("share=0.9");
+  EXPECT_THAT(ErrorOf([&] { Run("ablation_nbv", entries, "other"); }),
+              testing::HasSubstr("was searched with other options"));
+  entries.Set("bounds_of=" + (folder_ / "nowhere").string());
+  EXPECT_THAT(ErrorOf([&] { Run("ablation_nbv", entries, "none"); }),
+              testing::HasSubstr("holds no bounds"));
+}
+
 TEST_F(ViewStudyTest, AblationNbvSaysWhatItCannotDo) {
   const auto error_with = [&](const std::string& assignment) {
     OptionEntries entries = OnTwoRooms();
@@ -63,6 +81,7 @@ TEST_F(ViewStudyTest, AblationNbvSaysWhatItCannotDo) {
   };
   EXPECT_THAT(error_with("studies=policies, colours"), testing::HasSubstr("there are policies, gain"));
   EXPECT_THAT(error_with("studies=c1"), testing::HasSubstr("must begin with policies"));
+  EXPECT_THAT(error_with("variants=gain, magic"), testing::HasSubstr("names 'magic'"));
   EXPECT_THAT(error_with("floors=a,,b"), testing::HasSubstr("names are to stand"));
   EXPECT_THAT(error_with("floors=builtin:nowhere"), testing::HasSubstr("nowhere"));
 }
@@ -75,6 +94,57 @@ TEST_F(ViewStudyTest, Fig06ShowsAStepAndItsView) {
   EXPECT_THAT(Content("run/figures/fig_06.png"), testing::StartsWith("\x89PNG"));
   EXPECT_THAT(Content("run/fig_06.svg"), testing::HasSubstr("<svg"));
   EXPECT_GT(ReadJson("run/metrics.json").size(), 3U);
+}
+
+OptionEntries TwoScansOfTheOffice() {
+  OptionEntries entries;
+  for (const char* assignment : {"input.tour.waypoints=2.6 0, 4.6 0", "input.tour.scans=2"})
+    entries.Set(assignment);
+  return entries;
+}
+
+TEST_F(ViewStudyTest, Fig07UnitesTwoScansAndKeepsTheirLabels) {
+  Run("fig_07", TwoScansOfTheOffice());
+  EXPECT_THAT(Content("run/figures/fig_07.png"), testing::StartsWith("\x89PNG"));
+  const Table polygons = FromCsv(Content("run/polygons.csv"));
+  ASSERT_EQ(polygons.rows.size(), 3U);
+  const auto area = [&](const char* name) { return NumberIn(polygons, name, "area_m2"); };
+  const auto seen = [&](const char* name) { return NumberIn(polygons, name, "seen_m"); };
+  const auto unseen = [&](const char* name) { return NumberIn(polygons, name, "unseen_m"); };
+  EXPECT_GT(area("union"), 0.99 * std::max(area("scan 1"), area("scan 2")));
+  EXPECT_LT(area("union"), area("scan 1") + area("scan 2")) << "the scans overlap";
+  EXPECT_GT(seen("union"), 0.95 * std::max(seen("scan 1"), seen("scan 2")));
+  EXPECT_LT(seen("union"), seen("scan 1") + seen("scan 2")) << "walls that both have seen count once";
+  EXPECT_LT(unseen("union"), unseen("scan 1") + unseen("scan 2")) << "what one has seen behind is gone";
+  EXPECT_GT(unseen("union"), 0.0);
+  const std::string before = Content("run/polygons.csv");
+  Run("fig_07", TwoScansOfTheOffice(), "again");
+  EXPECT_EQ(Content("again/polygons.csv"), before);
+}
+
+TEST_F(ViewStudyTest, Fig07NeedsTwoScans) {
+  OptionEntries entries = TwoScansOfTheOffice();
+  entries.Set("input.tour.scans=1");
+  EXPECT_THAT(ErrorOf([&] { Run("fig_07", entries); }), testing::HasSubstr("needs two scans"));
+}
+
+TEST_F(ViewStudyTest, PlanningTimeMeasuresGrowthAndHoldsItAgainstItsLimits) {
+  OptionEntries entries;
+  for (const char* assignment : {"candidates=5, 20", "edges=40, 80", "usual_candidates=10",
+                                 "usual_edges=60", "decisions=3", "median_limit=1e6", "quantile_limit=1e-6"}) {
+    entries.Set(assignment);
+  }
+  const StudyResult result = Run("planning_time", entries);
+  EXPECT_THAT(result.text, testing::AllOf(testing::HasSubstr("within 1000000 ms"),
+                                          testing::HasSubstr("MORE THAN 0 ms")));
+  const Table times = FromCsv(Content("run/timing.csv"));
+  ASSERT_EQ(times.rows.size(), 10U) << "of each of five pairs the whole, and candidates and gain alone";
+  for (const auto& row : times.rows) EXPECT_LE(std::stod(row[4]), std::stod(row[5]));
+  for (const char* plot : {"run/figures/time_by_candidates.svg", "run/figures/time_by_edges.svg"})
+    EXPECT_THAT(Content(plot), testing::HasSubstr("<polyline"));
+  entries.Set("edges=40, many");
+  EXPECT_THAT(ErrorOf([&] { Run("planning_time", entries, "wrong"); }),
+              testing::HasSubstr("edges is '40, many'"));
 }
 
 }  // namespace

@@ -136,6 +136,40 @@ TEST(PlanPath, FindsDoorsAndSaysWhereThereIsNoWay) {
   }
 }
 
+/// Two rooms that a bent passage of 0.75 m joins, which a disc takes and the robot cannot turn in, and, if
+/// it is there, a wide way around.
+slam::Polygon2 RoomsWithABend(bool way_around) {
+  slam::Polygon2 area{Box(0.0, 0.0, 12.0, 10.0), {}};
+  constexpr double y = 8.0;  // where what stands between the rooms ends
+  area.outer = {{0.0, 0.0}, {4.0, 0.0},  {4.0, 2.0},   {6.0, 2.0},
+                {6.0, 0.0}, {12.0, 0.0}, {12.0, 10.0}, {0.0, 10.0}};
+  area.holes = {{{4.0, 2.75}, {4.0, y}, {8.0, y}, {8.0, 1.25}, {6.75, 1.25}, {6.75, 2.75}}};
+  if (!way_around) {
+    area.outer = {{0.0, 0.0},   {4.0, 0.0},   {4.0, 2.0},  {6.0, 2.0},  {6.0, 0.0},
+                  {12.0, 0.0},  {12.0, 10.0}, {8.0, 10.0}, {8.0, 1.25}, {6.75, 1.25},
+                  {6.75, 2.75}, {4.0, 2.75},  {4.0, 10.0}, {0.0, 10.0}};
+    area.holes.clear();
+  }
+  return area;
+}
+
+TEST(PlanPath, GoesAroundWhereTheShortestWayOfADiscIsTooTightForTheRectangle) {
+  const std::array around{RoomsWithABend(true)}, closed{RoomsWithABend(false)};
+  const slam::Pose2 start{0.0, {2.0, 2.4}}, goal{0.0, {10.0, 2.4}};
+  PathOptions options;
+  options.max_iterations = 400;  // too few to find the way around by chance
+  for (const PathModel model : {PathModel::kGeometric, PathModel::kReedsShepp}) {
+    options.model = model;
+    const PathResult path = PlanPath(FreeSpace(around), start, goal, options, 1);
+    EXPECT_EQ(path.status, PathStatus::kFound) << NameOf(model);
+    EXPECT_GT(path.length, 14.0);
+    for (const slam::Pose2& pose : path.poses) {
+      ASSERT_TRUE(IsRectangleWithin(around[0], Footprint().CornersAt(pose))) << NameOf(model);
+    }
+    EXPECT_EQ(PlanPath(FreeSpace(closed), start, goal, options, 1).status, PathStatus::kNotFound);
+  }
+}
+
 TEST(PlanPath, EndsWhereItBegins) {
   const std::array area{slam::Polygon2{Box(0.0, 0.0, 6.0, 5.0), {}}};
   const FreeSpace space(area);

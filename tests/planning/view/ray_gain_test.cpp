@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -170,6 +171,28 @@ TEST(RayGain, LooksAtTheMiddleOfADoor) {
     EXPECT_NEAR(best.gain, 2.0 * std::atan(0.5 / 3.0) / RadFromDeg(1.0), 1.0);
     EXPECT_NEAR(slam::WrapAngle(best.direction - RadFromDeg(90.0)), 0.0, RadFromDeg(0.51));
   }
+}
+
+TEST(RayGain, CountsAreaOnlyUntilARayIsBackInWhatIsKnown) {
+  // A room of 4 x 4 m whose right side is unseen; 1 m behind it another known piece begins.
+  std::vector<Edge> edges = EdgesOf({Rectangle(0.0, 0.0, 4.0, 4.0), {}}, true);
+  edges[1].seen = false;
+  RayGainOptions options;
+  options.measure = GainMeasure::kArea;
+  options.depth = 3.0;
+  options.rays = 4;  // of which one meets the unseen side
+  options.field_of_view = 0.0;
+  options.until_known = true;
+  const Eigen::Vector2d p(2.0, 2.0);
+  const double step = 2.0 * std::numbers::pi / options.rays;
+  EXPECT_NEAR(RayGain(edges, 0.0, options).At(p).area, 0.5 * step * (5.0 * 5.0 - 2.0 * 2.0), 1e-12);
+  for (const Edge& edge : EdgesOf({Rectangle(5.0, -20.0, 9.0, 20.0), {}}, false)) edges.push_back(edge);
+  for (int turn = 0; turn < 2; ++turn) {  // whichever edge comes first
+    EXPECT_NEAR(RayGain(edges, 0.0, options).At(p).area, 0.5 * step * (3.0 * 3.0 - 2.0 * 2.0), 1e-12);
+    std::ranges::reverse(edges);
+  }
+  options.until_known = false;
+  EXPECT_NEAR(RayGain(edges, 0.0, options).At(p).area, 0.5 * step * (5.0 * 5.0 - 2.0 * 2.0), 1e-12);
 }
 
 TEST(RayGain, DoesNotDependOnTheFrame) {

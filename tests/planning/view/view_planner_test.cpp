@@ -204,7 +204,7 @@ TEST(ViewPlanner, OfThePaperStaysNear) {
 TEST(ViewPlanner, RepeatsItself) {
   for (const auto policy : {ViewPolicy::kExponential, ViewPolicy::kRandom, ViewPolicy::kTwoSteps}) {
     const ViewPlan first = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 7);
-    for (int k = 0; k < 34; ++k) {
+    for (int k = 0; k < 99; ++k) {
       const ViewPlan again = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 7);
       ASSERT_EQ(again.chosen, first.chosen);
       ASSERT_EQ(again.views.size(), first.views.size());

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "planning/path/footprint.h"
+
+namespace ariadne::planning::internal {
+
+/// The shortest chain of poses from near a start to near a goal in each of which the robot fits, on a
+/// raster of places and headings: steps forward or backward to the next place, and turns on the spot.
+/// Complete but for its resolution (that of the space, 10 deg), so that a way is found also where the
+/// shortest one of a disc leads through what the rectangle cannot turn in. Seconds on a large floor. Empty:
+/// there is none, or it takes more than `most` poses to find it.
+std::vector<slam::Pose2> PosesOnRaster(const FreeSpace& space, const Footprint& footprint,
+                                       const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
+                                       std::size_t most);
+
+}  // namespace ariadne::planning::internal
