@@ -59,21 +59,19 @@ void AddEmulateCommand(CLI::App& app) {
       "emulate", "Emulate the devices of a robot in a world, on three pseudo-terminals, in real time");
   auto arguments = std::make_shared<EmulateArguments>();
   command
-      ->add_option(
-          "world", arguments->world,
-          "builtin:robobench, builtin:entrance_hall, a floor plan (.json), a description (.yaml) or "
-          "a mesh")
+      ->add_option("world", arguments->world,
+                   "builtin:NAME, a floor plan (.json), a description (.yaml) or a mesh")
       ->required();
   AddSetFlag(*command, arguments->assignments);
   command->add_option("--fault", arguments->faults,
-                      "DEVICE:KIND:TIME[:AMOUNT]; any number of times. DEVICE is scanner, servo or motors; "
-                      "KIND is drop, flip or duplicate (AMOUNT bytes), delay, dead or power (AMOUNT "
-                      "seconds), stuck (servo), or slip (left or right instead of a device)");
+                      "DEVICE:KIND:TIME[:AMOUNT], see below; any number of times");
   command->add_option("--ports", arguments->ports, "File to which the names of the ports are written too");
   command->footer(
       "Example:\n"
       "  ariadne emulate builtin:robobench\n"
       "  ariadne emulate builtin:robobench --fault scanner:power:30:3 --fault left:slip:60:2\n"
+      "Faults: DEVICE is scanner, servo or motors; KIND is drop, flip or duplicate (AMOUNT bytes), delay,\n"
+      "dead or power (AMOUNT seconds); or servo:stuck:TIME:SECONDS, or left:slip:TIME:SECONDS, or right.\n"
       "It prints the ports, and how `ariadne explore` drives the robot on them; Ctrl-C ends it.");
   command->callback([arguments] { EmulateUntilStopped(*arguments); });
 }
