@@ -98,7 +98,7 @@ TEST_F(Emulated, MissionIsJudgedAndRepeatsItself) {
   EXPECT_LT(metrics["map_error_mean_m"], 0.02);
   EXPECT_GT(metrics["path_m"], 0.5);
   EXPECT_THAT(Content("one/config.yaml"), HasSubstr("kind: emulated"));
-  for (const char* name : {"map.ply", "stops.csv", "metrics.json", "robot.log", "lines.log.0"})
+  for (const char* name : {"map.ply", "stops.csv", "metrics.json", "robot.log", "lines.log.000"})
     EXPECT_TRUE(Content(std::string("one/") + name) == Content(std::string("two/") + name)) << name;
 }
 
@@ -111,7 +111,7 @@ TEST_F(Emulated, KilledMissionGoesOn) {
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   Must("explore --resume --out killed -q");
-  for (const char* name : {"map.ply", "metrics.json", "robot.log", "lines.log.0"})
+  for (const char* name : {"map.ply", "metrics.json", "robot.log", "lines.log.000"})
     EXPECT_TRUE(Content(std::string("whole/") + name) == Content(std::string("killed/") + name)) << name;
 }
 
@@ -138,7 +138,7 @@ TEST_F(Emulated, IsExploredOverPorts) {
   const nlohmann::json metrics = Metrics(Content("run/metrics.json"));
   EXPECT_EQ(metrics["scans"], 2);
   EXPECT_EQ(metrics["refused"], 0);
-  EXPECT_GT(Content("run/lines.log.0").size(), 100000U);
+  EXPECT_GT(Content("run/lines.log.000").size(), 100000U);
   EXPECT_GT(Content("run/map.ply").size(), 100000U);
 }
 
@@ -175,7 +175,7 @@ TEST_F(Emulated, StopsTheWheelsWhenItIsKilled) {
     ASSERT_GT(stood_at, 0.0);
     EXPECT_LT(stood_at - killed_at, 0.5 + 0.1);  // the timeout of kPatient
     EXPECT_LT(rolled_at, stood_at);              // and it stays so
-    EXPECT_GT(Content(out + "/lines.log.0").size(), 10000U);
+    EXPECT_GT(Content(out + "/lines.log.000").size(), 10000U);
   }
 }
 
