@@ -126,7 +126,9 @@ double SimulatedBase::ShareUntilContact(const WheelStep& step, double time) cons
 
 void SimulatedBase::NoteContact(const slam::Pose2& T_map_wanted, bool stopped) {
   if (stopped) {
-    if (!contact_) collisions_.push_back({now_, T_map_base_, obstacles_.NameOf(obstacles_.ContactAt(T_map_wanted, now_).body)});
+    if (!contact_)
+      collisions_.push_back(
+          {now_, T_map_base_, obstacles_.NameOf(obstacles_.ContactAt(T_map_wanted, now_).body)});
     contact_ = T_map_base_;
   } else if (contact_) {
     const slam::Pose2 moved = contact_->Inverse() * T_map_base_;

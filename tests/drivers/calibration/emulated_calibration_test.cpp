@@ -1,4 +1,5 @@
-// Calibration on scans as the drivers of the real robot take them: centimetres, steps of the servo, furniture.
+// Calibration on scans as the drivers of the real robot take them: centimetres, steps of the servo,
+// furniture.
 #include <gtest/gtest.h>
 
 #include "drivers/calibration/calibrate_scanner.h"

@@ -130,8 +130,9 @@ TEST_F(ViewStudyTest, Fig07NeedsTwoScans) {
 
 TEST_F(ViewStudyTest, PlanningTimeMeasuresGrowthAndHoldsItAgainstItsLimits) {
   OptionEntries entries;
-  for (const char* assignment : {"candidates=5, 20", "edges=40, 80", "usual_candidates=10",
-                                 "usual_edges=60", "decisions=3", "median_limit=1e6", "quantile_limit=1e-6"}) {
+  for (const char* assignment :
+       {"candidates=5, 20", "edges=40, 80", "usual_candidates=10", "usual_edges=60", "decisions=3",
+        "median_limit=1e6", "quantile_limit=1e-6"}) {
     entries.Set(assignment);
   }
   const StudyResult result = Run("planning_time", entries);
