@@ -41,7 +41,7 @@ class Simulated : public ExploredRobot {
 
 /// A run that is resumed begins its log of the lines anew, and the robot all that it did.
 std::filesystem::path LogOfLinesAnew(const RunDirectory& run) {
-  const std::filesystem::path path = run.File(kLineLog);
+  std::filesystem::path path = run.File(kLineLog);
   for (int number = 0; std::filesystem::remove(drivers::LineLogFile(path, number)); ++number) {
   }
   return path;

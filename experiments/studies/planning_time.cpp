@@ -127,7 +127,7 @@ std::string RunPlanningTime(const PlanningTimeOptions& options, const RunDirecto
   Table table{{"what", "candidates", "edges", "decisions", "median ms", "99 % ms", "max ms"}, {}};
   const auto measure = [&](int candidates, int edges) {
     progress.Show(fmt::format("{} candidates, {} edges", candidates, edges));
-    const PlanningTimes times = MeasurePlanning(options, candidates, edges);
+    PlanningTimes times = MeasurePlanning(options, candidates, edges);
     table.rows.push_back(TimeRow("whole decision", times, times.whole));
     table.rows.push_back(TimeRow("candidates and gain", times, times.choice));
     return times;
