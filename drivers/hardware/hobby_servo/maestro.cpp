@@ -48,11 +48,12 @@ std::optional<Request> RequestDecoder::Next() {
     const auto broken = size == 0 ? buffer_.begin()
                                   : std::find_if(buffer_.begin() + 1, last,
                                                  [](std::uint8_t b) { return (b & kCommandBit) != 0; });
-    if (size > 0 && broken == last && buffer_.size() < size) return std::nullopt;
+    const bool valid = size > 0 && broken == last;
+    if (valid && buffer_.size() < size) return std::nullopt;
     Request request{code, 0, 0};
-    if (size > 1) request.channel = buffer_[1];
-    if (size == 4) request.number = buffer_[2] | buffer_[3] << 7;
-    if (size > 0 && broken == last && request.channel < kMostChannels) {
+    if (valid && size > 1) request.channel = buffer_[1];
+    if (valid && size == 4) request.number = buffer_[2] | buffer_[3] << 7;
+    if (valid && request.channel < kMostChannels) {
       buffer_.erase(buffer_.begin(), last);
       return request;
     }
