@@ -10,6 +10,7 @@
 #include "drivers/emulated/robot/emulated_robot.h"
 #include "drivers/simulated/load_world.h"
 #include "tests/system/program.h"
+#include "tests/system/rooms.h"
 
 namespace ariadne {
 namespace {
@@ -24,12 +25,8 @@ const std::vector<std::string> kPatient{"--set", "hardware.motors.timeout=0.5",
 
 class Emulated : public ProgramTest {
  protected:
-  /// Two rooms of 3.5 m x 4 m; stubs of wall tell their ends apart.
   void SetUp() override {
-    folder_.Write("rooms.json",
-                  R"({"walls": [[0, 0, 7, 0], [7, 0, 7, 4], [7, 4, 0, 4], [0, 4, 0, 0], [3.5, 0, 3.5, 1.3],
-                      [3.5, 2.7, 3.5, 4], [0.8, 4, 0.8, 3.4], [5.8, 0, 5.8, 0.7]],
-                      "doors": [], "start": [1.5, 2], "spaces": []})");
+    folder_.Write("rooms.json", kTwoRoomsPlan);
     folder_.Write("rooms.yaml", R"(experiment: explore
 world: rooms.json
 mission:
