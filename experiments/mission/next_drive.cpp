@@ -73,7 +73,7 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
 }
 
 /// Of the footprint's margin: with all of it if the robot can, else with less, for beside a table it stands
-/// closer than it likes to drive. A quarter is less than the localization errs: robots got stuck at tables.
+/// closer than it likes to drive. A quarter is less than the localization errs.
 constexpr std::array<double, 2> kMarginShares{1.0, 0.5};
 
 /// From where the robot stands back the way that it came, to where there is room for its rectangle; only
