@@ -73,4 +73,20 @@ double OverlapDepth(const Outline& outline_map, const slam::Pose2& T_map_base,
   return std::max(depth, 0.0);
 }
 
+double DistanceTo(const Outline& outline_map, const Eigen::Vector2d& p_map) {
+  const auto corners = outline_map.corners();
+  double nearest = std::numeric_limits<double>::infinity();
+  bool on_left = false, on_right = false;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Eigen::Vector2d edge = corners[(i + 1) % corners.size()] - corners[i], p = p_map - corners[i];
+    const double squared_length = edge.squaredNorm();
+    const double share = squared_length > 0.0 ? std::clamp(edge.dot(p) / squared_length, 0.0, 1.0) : 0.0;
+    nearest = std::min(nearest, (p - share * edge).norm());
+    const double side = edge.x() * p.y() - edge.y() * p.x();
+    on_left = on_left || side > 0.0;
+    on_right = on_right || side < 0.0;
+  }
+  return on_left != on_right ? 0.0 : nearest;
+}
+
 }  // namespace ariadne::drivers

@@ -35,4 +35,7 @@ Outline OutlineBetween(const std::array<Eigen::Vector3d, 3>& triangle, const Hei
 double OverlapDepth(const Outline& outline_map, const slam::Pose2& T_map_base,
                     const Eigen::Vector2d& half_size);
 
+/// How far a point is from the outline [m]; 0: inside. Infinite where the outline is empty.
+double DistanceTo(const Outline& outline_map, const Eigen::Vector2d& p_map);
+
 }  // namespace ariadne::drivers

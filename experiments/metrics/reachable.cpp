@@ -1,10 +1,11 @@
 #include "experiments/metrics/reachable.h"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <set>
 
+#include "drivers/simulated/outline.h"
 #include "slam/base/error.h"
 
 namespace ariadne::experiments {
@@ -15,63 +16,72 @@ using Cell = std::array<int, 2>;  // steps from the start
 
 constexpr std::array<Cell, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-/// What rays tell of a place.
-class Prober {
+/// Whether the robot can stand at the cells of a grid around the start, and get from one to the next.
+class FreeCells {
  public:
-  Prober(const drivers::RayScene& scene, const ReachableOptions& options) : scene_(scene), o_(options) {}
-
-  bool IsFree(const Vector3d& place) const {
-    return HasFloor(place) && !HitsWithin(place, Vector3d::UnitZ(), o_.highest, o_.lowest) &&
-           IsClear(place);
+  FreeCells(const drivers::RayScene& scene, const ReachableOptions& options)
+      : scene_(scene), o_(options), start_(scene.world().T_map_start.translation) {
+    for (const drivers::Body& body : scene.world().bodies) Block(body);
   }
 
-  /// No surface between the two places, which are one step apart.
-  bool IsOpen(const Vector3d& from, const Vector3d& to) const {
-    const Vector3d step = to - from;
-    for (int i = 0; i < o_.heights; ++i) {
-      if (HitsWithin(from, step.normalized(), step.norm(), Height(i))) return false;
+  Vector3d PlaceOf(const Cell& cell) const {
+    return {start_.x() + cell[0] * o_.step, start_.y() + cell[1] * o_.step, 0.0};
+  }
+
+  bool IsFree(const Cell& cell) const { return !blocked_.contains(cell) && HasFloor(PlaceOf(cell)); }
+
+  /// No surface between two cells, one step apart: with a radius below half a step it may be near neither.
+  bool IsOpen(const Cell& from, const Cell& to) const {
+    const Vector3d step = PlaceOf(to) - PlaceOf(from);
+    for (const double height : {o_.lowest, 0.5 * (o_.lowest + o_.highest), o_.highest}) {
+      const Vector3d origin = PlaceOf(from) + height * Vector3d::UnitZ();
+      if (scene_.Cast({origin, step.normalized(), 0.0}).distance < step.norm()) return false;
     }
     return true;
   }
 
  private:
-  double Height(int i) const {
-    return o_.heights == 1 ? o_.lowest : std::lerp(o_.lowest, o_.highest, double(i) / (o_.heights - 1));
+  void Block(const drivers::Body& body) {
+    const slam::Pose3 T_map_body = PoseAt(body.motion, 0.0);
+    for (const auto& v : body.mesh_body.triangles) {
+      const auto& at = body.mesh_body.vertices;
+      BlockAround(drivers::OutlineBetween(
+          {T_map_body * at[v[0]], T_map_body * at[v[1]], T_map_body * at[v[2]]}, {o_.lowest, o_.highest}));
+    }
   }
 
-  bool HitsWithin(const Vector3d& place, const Vector3d& direction, double distance, double height) const {
-    return scene_.Cast({place + height * Vector3d::UnitZ(), direction, 0.0}).distance < distance;
+  void BlockAround(const drivers::Outline& outline_map) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& corner : outline_map.corners()) box.extend(corner);
+    if (box.isEmpty()) return;
+    const Eigen::Array2d low = (box.min() - start_).array() - o_.radius;
+    const Eigen::Array2d high = (box.max() - start_).array() + o_.radius;
+    const Eigen::Array2i from = (low / o_.step).ceil().cast<int>(),
+                         to = (high / o_.step).floor().cast<int>();
+    for (int x = from.x(); x <= to.x(); ++x) {
+      for (int y = from.y(); y <= to.y(); ++y) {
+        const Vector3d place = PlaceOf({x, y});
+        if (drivers::DistanceTo(outline_map, place.head<2>()) < o_.radius) blocked_.insert({x, y});
+      }
+    }
   }
 
   bool HasFloor(const Vector3d& place) const {
-    const double drop =
-        scene_.Cast({place + o_.highest * Vector3d::UnitZ(), -Vector3d::UnitZ(), 0.0}).distance;
+    const Vector3d from = place + o_.highest * Vector3d::UnitZ();
+    const double drop = scene_.Cast({from, -Vector3d::UnitZ(), 0.0}).distance;
     return std::abs(drop - o_.highest) <= o_.floor_tolerance;
-  }
-
-  bool IsClear(const Vector3d& place) const {
-    for (int i = 0; i < o_.heights; ++i) {
-      for (int k = 0; k < o_.directions; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / o_.directions;
-        const Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
-        if (HitsWithin(place, direction, o_.radius, Height(i))) return false;
-      }
-    }
-    return true;
   }
 
   const drivers::RayScene& scene_;
   const ReachableOptions& o_;
+  Eigen::Vector2d start_;
+  std::set<Cell> blocked_;
 };
 
 }  // namespace
 
 std::vector<Vector3d> ReachablePlaces(const drivers::RayScene& scene, const ReachableOptions& options) {
-  const Prober prober(scene, options);
-  const Eigen::Vector2d start = scene.world().T_map_start.translation;
-  const auto place_of = [&](const Cell& cell) {
-    return Vector3d(start.x() + cell[0] * options.step, start.y() + cell[1] * options.step, 0.0);
-  };
+  const FreeCells cells(scene, options);
   std::vector<Cell> reached{{0, 0}};
   std::set<Cell> seen{{0, 0}};
   for (std::size_t next = 0; next < reached.size(); ++next) {
@@ -81,13 +91,13 @@ std::vector<Vector3d> ReachablePlaces(const drivers::RayScene& scene, const Reac
     const Cell here = reached[next];
     for (const Cell& step : kSteps) {
       const Cell there{here[0] + step[0], here[1] + step[1]};
-      if (seen.contains(there) || !prober.IsOpen(place_of(here), place_of(there))) continue;
+      if (seen.contains(there) || !cells.IsOpen(here, there)) continue;
       seen.insert(there);
-      if (prober.IsFree(place_of(there))) reached.push_back(there);
+      if (cells.IsFree(there)) reached.push_back(there);
     }
   }
   std::vector<Vector3d> places;
-  for (const Cell& cell : reached) places.push_back(place_of(cell));
+  for (const Cell& cell : reached) places.push_back(cells.PlaceOf(cell));
   return places;
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/mission/mission_options.h"
-#include "slam/map/grid_part.h"
+#include "slam/map/grid_votes.h"
 
 namespace ariadne::experiments {
 

@@ -41,9 +41,13 @@ Footprint::Footprint(const FootprintOptions& options) : options_(options) {
 }
 
 bool Footprint::IsFree(const FreeSpace& space, const slam::Pose2& T_map_robot) const {
-  const Eigen::Vector2d axis(std::cos(T_map_robot.angle), std::sin(T_map_robot.angle));
-  const Eigen::Vector2d centre = T_map_robot.translation + options_.centre_ahead * axis;
-  return Halving(space, axis, options_).IsFree(centre, options_.length, options_.width);
+  return IsFree(space, T_map_robot.translation, {std::cos(T_map_robot.angle), std::sin(T_map_robot.angle)});
+}
+
+bool Footprint::IsFree(const FreeSpace& space, const Eigen::Vector2d& p_map,
+                       const Eigen::Vector2d& heading) const {
+  const Eigen::Vector2d centre = p_map + options_.centre_ahead * heading;
+  return Halving(space, heading, options_).IsFree(centre, options_.length, options_.width);
 }
 
 std::vector<Eigen::Vector2d> Footprint::CornersAt(const slam::Pose2& T_map_robot) const {

@@ -39,6 +39,9 @@ class Footprint {
   /// cells.
   bool IsFree(const FreeSpace& space, const slam::Pose2& T_map_robot) const;
 
+  /// The same for a robot whose heading is known by its direction.
+  bool IsFree(const FreeSpace& space, const Eigen::Vector2d& p_map, const Eigen::Vector2d& heading) const;
+
   /// Of the rectangle, counterclockwise, without the margin.
   std::vector<Eigen::Vector2d> CornersAt(const slam::Pose2& T_map_robot) const;
 

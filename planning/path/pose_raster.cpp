@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <numbers>
 #include <queue>
-#include <unordered_map>
 
 #include "slam/geometry/angles.h"
 
@@ -17,23 +16,25 @@ constexpr int kHeadings = 36;
 constexpr double kHeadingStep = 2.0 * std::numbers::pi / kHeadings;
 constexpr std::uint32_t kTurnCost = 600;  // [cells / 1024]; 10 deg move the robot's corners by a cell
 constexpr double kAlong = 0.86;           // cosine of what a step may differ from the heading, 30 deg
-constexpr int kNearEnds = 2;              // [cells], [headings]
+constexpr std::size_t kMostPoses = 100'000'000;  // 700 MB; 140 x 140 m of 10 cm
+constexpr int kNearEnds = 2;                     // [cells], [headings]
 
 struct RasterPose {
   Cell cell;
   int heading = 0;
 };
 
-/// What is known of a pose on the raster.
-struct Visited {
-  std::uint32_t cost = UINT32_MAX;
-  std::uint64_t before = 0;
-  bool is_closed = false;
+/// From one pose of the raster to the next; none: a start.
+struct Move {
+  std::int8_t column = 0, row = 0, turn = 0;
 };
 
+constexpr std::uint32_t kUnknown = UINT32_MAX, kNotFree = 0, kStartCost = 1;
+
+/// Dijkstra's, over arrays: most searches look at millions of poses, and find that there is no way.
 class PoseSearch {
  public:
-  PoseSearch(const FreeSpace& space, const Footprint& footprint) : space_(space), footprint_(footprint) {}
+  PoseSearch(const FreeSpace& space, const Footprint& footprint);
 
   std::vector<slam::Pose2> Find(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                 std::size_t most);
@@ -52,18 +53,39 @@ class PoseSearch {
   slam::Pose2 InMap(const RasterPose& pose) const {
     return {slam::WrapAngle(pose.heading * kHeadingStep), space_.CentreOf(pose.cell)};
   }
-  bool IsFree(const RasterPose& pose) const {
-    return space_.IsOnRaster(pose.cell) && footprint_.IsFree(space_, InMap(pose));
-  }
+  bool IsFree(const RasterPose& pose) const;
   std::vector<std::uint64_t> Around(const slam::Pose2& T_map_robot) const;
-  void Reach(const RasterPose& pose, std::uint32_t cost, std::uint64_t before);
+  void Reach(const RasterPose& pose, std::uint32_t cost, const Move& move);
+  RasterPose Before(const RasterPose& pose) const;
   void Expand(std::uint64_t number);
 
   const FreeSpace& space_;
   const Footprint& footprint_;
-  std::unordered_map<std::uint64_t, Visited> visited_;
+  std::array<Eigen::Vector2d, kHeadings> axes_;
+  std::vector<std::uint32_t> costs_;  // of all poses
+  std::vector<Move> moves_;           // that led to each
+  std::size_t visited_ = 0;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open_;
 };
+
+PoseSearch::PoseSearch(const FreeSpace& space, const Footprint& footprint)
+    : space_(space), footprint_(footprint) {
+  const auto cells = static_cast<std::size_t>(space.columns()) * static_cast<std::size_t>(space.rows());
+  costs_.assign(cells * kHeadings, kUnknown);
+  moves_.resize(costs_.size());
+  for (int heading = 0; heading < kHeadings; ++heading) {
+    const double angle = InMap({{}, heading}).angle;
+    axes_[static_cast<std::size_t>(heading)] = {std::cos(angle), std::sin(angle)};
+  }
+}
+
+bool PoseSearch::IsFree(const RasterPose& pose) const {
+  if (!space_.IsOnRaster(pose.cell)) return false;
+  const double clearance = space_.ClearanceAt(pose.cell);
+  if (clearance >= footprint_.reach() + footprint_.options().margin) return true;
+  return footprint_.IsFree(space_, space_.CentreOf(pose.cell),
+                           axes_[static_cast<std::size_t>(pose.heading)]);
+}
 
 /// The poses of the raster next to a pose, in which the robot fits.
 std::vector<std::uint64_t> PoseSearch::Around(const slam::Pose2& T_map_robot) const {
@@ -82,32 +104,43 @@ std::vector<std::uint64_t> PoseSearch::Around(const slam::Pose2& T_map_robot) co
   return around;
 }
 
-void PoseSearch::Reach(const RasterPose& pose, std::uint32_t cost, std::uint64_t before) {
+void PoseSearch::Reach(const RasterPose& pose, std::uint32_t cost, const Move& move) {
+  if (!space_.IsOnRaster(pose.cell)) return;
   const std::uint64_t number = NumberOf(pose);
-  const auto found = visited_.find(number);
-  if (found != visited_.end() && found->second.cost <= cost) return;
-  if (found == visited_.end() && !IsFree(pose)) {
-    visited_[number].cost = 0;  // never again
-    return;
+  std::uint32_t& known = costs_[number];
+  if (known <= cost) return;
+  if (known == kUnknown) {
+    ++visited_;
+    if (!IsFree(pose)) {
+      known = kNotFree;
+      return;
+    }
   }
-  visited_[number] = {cost, before, false};
+  known = cost;
+  moves_[number] = move;
   open_.emplace(cost, number);
+}
+
+RasterPose PoseSearch::Before(const RasterPose& pose) const {
+  const Move& move = moves_[NumberOf(pose)];
+  return {{pose.cell.column - move.column, pose.cell.row - move.row},
+          (pose.heading - move.turn + kHeadings) % kHeadings};
 }
 
 void PoseSearch::Expand(std::uint64_t number) {
   const RasterPose pose = PoseOf(number);
-  const std::uint32_t cost = visited_[number].cost;
-  for (const int turn : {1, kHeadings - 1}) {
-    Reach({pose.cell, (pose.heading + turn) % kHeadings}, cost + kTurnCost, number);
+  const std::uint32_t cost = costs_[number];
+  for (const std::int8_t turn : {std::int8_t{1}, std::int8_t{-1}}) {
+    Reach({pose.cell, (pose.heading + turn + kHeadings) % kHeadings}, cost + kTurnCost, {0, 0, turn});
   }
-  const double angle = pose.heading * kHeadingStep;
-  const Eigen::Vector2d axis(std::cos(angle), std::sin(angle));
-  for (int row = -1; row <= 1; ++row) {
-    for (int column = -1; column <= 1; ++column) {
+  const Eigen::Vector2d& axis = axes_[static_cast<std::size_t>(pose.heading)];
+  for (std::int8_t row = -1; row <= 1; ++row) {
+    for (std::int8_t column = -1; column <= 1; ++column) {
       const Eigen::Vector2d step(column, row);
       if (step.isZero() || std::abs(step.dot(axis)) < kAlong * step.norm()) continue;
       const auto length = static_cast<std::uint32_t>(1024.0 * step.norm());
-      Reach({{pose.cell.column + column, pose.cell.row + row}, pose.heading}, cost + length, number);
+      Reach({{pose.cell.column + column, pose.cell.row + row}, pose.heading}, cost + length,
+            {column, row, 0});
     }
   }
 }
@@ -116,21 +149,19 @@ std::vector<slam::Pose2> PoseSearch::Find(const slam::Pose2& T_map_start, const 
                                           std::size_t most) {
   const std::vector<std::uint64_t> goals = Around(T_map_goal);
   if (goals.empty()) return {};
-  for (const std::uint64_t number : Around(T_map_start)) Reach(PoseOf(number), 1, number);
-  while (!open_.empty() && visited_.size() <= most) {
+  for (const std::uint64_t number : Around(T_map_start)) Reach(PoseOf(number), kStartCost, {});
+  while (!open_.empty() && visited_ <= most) {
     const auto [cost, number] = open_.top();
     open_.pop();
-    Visited& visited = visited_[number];
-    if (visited.is_closed || visited.cost != cost) continue;
-    visited.is_closed = true;
+    if (costs_[number] != cost) continue;  // reached by a shorter way since
     if (std::ranges::find(goals, number) == goals.end()) {
       Expand(number);
       continue;
     }
     std::vector<slam::Pose2> poses{InMap(PoseOf(number))};
-    for (std::uint64_t at = number; visited_[at].before != at;) {
-      at = visited_[at].before;
-      poses.push_back(InMap(PoseOf(at)));
+    for (RasterPose at = PoseOf(number); costs_[NumberOf(at)] > kStartCost;) {
+      at = Before(at);
+      poses.push_back(InMap(at));
     }
     std::ranges::reverse(poses);
     return poses;
@@ -143,6 +174,8 @@ std::vector<slam::Pose2> PoseSearch::Find(const slam::Pose2& T_map_start, const 
 std::vector<slam::Pose2> PosesOnRaster(const FreeSpace& space, const Footprint& footprint,
                                        const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                        std::size_t most) {
+  const auto cells = static_cast<std::size_t>(space.columns()) * static_cast<std::size_t>(space.rows());
+  if (cells * kHeadings > kMostPoses) return {};
   return PoseSearch(space, footprint).Find(T_map_start, T_map_goal, most);
 }
 

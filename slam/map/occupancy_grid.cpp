@@ -1,7 +1,7 @@
 #include "slam/map/occupancy_grid.h"
 
 #include "slam/base/error.h"
-#include "slam/map/grid_part.h"
+#include "slam/map/grid_votes.h"
 
 namespace ariadne::slam {
 

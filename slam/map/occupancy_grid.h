@@ -19,6 +19,7 @@ struct OccupancyGridOptions {
   double miss = 0.4;
   double most_for = 3.5;
   double most_against = 3.5;
+  double doubt = 0.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -39,6 +40,9 @@ struct OccupancyGridOptions {
           "more is not believed, so that what has changed can be seen");
     visit("most_against", self.most_against, Unit("log odds"), Range{0.01, 100.0},
           "likewise; with less than hit, whatever the last scan has points in is occupied");
+    visit("doubt", self.doubt, Unit("m"), Range{0.0, 10.0},
+          "so far from what stands, cells that no beam has passed at its heights, nor a cell beside them, "
+          "count as occupied: the far edge of a table lies between two rows of a scan");
   }
 };
 

@@ -156,5 +156,34 @@ TEST(OverlapDepth, IsTheShortestWayOut) {
   }
 }
 
+TEST(DistanceTo, IsThatOfTheNearestPointOfTheOutline) {
+  RandomStream stream = NamedStream(4, "outline_test/distance");
+  for (int trial = 0; trial < 200; ++trial) {
+    const auto triangle = DrawTriangle(stream);
+    const Outline outline = OutlineBetween(triangle, {-2.0, 2.0});
+    const Eigen::Vector2d p = 2.0 * slam::DrawInCube(stream, 1.0).head<2>();
+    constexpr int kSteps = 100;
+    double nearest = 10.0;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int k = 0; k <= kSteps - i; ++k) {
+        const double a = double(i) / kSteps, b = double(k) / kSteps;
+        const Eigen::Vector3d on = a * triangle[0] + b * triangle[1] + (1.0 - a - b) * triangle[2];
+        nearest = std::min(nearest, (on.head<2>() - p).norm());
+      }
+    }
+    EXPECT_LE(DistanceTo(outline, p), nearest + 1e-12);
+    EXPECT_GE(DistanceTo(outline, p), nearest - 0.03);
+  }
+}
+
+TEST(DistanceTo, IsRightForPointsAndStretches) {
+  EXPECT_NEAR(DistanceTo(OutlineOf({{1.0, 0.0}}), {1.0, 2.0}), 2.0, 1e-12);
+  const Outline stretch = OutlineOf({{0.0, 0.0}, {2.0, 0.0}});
+  EXPECT_NEAR(DistanceTo(stretch, {1.0, -0.5}), 0.5, 1e-12);
+  EXPECT_NEAR(DistanceTo(stretch, {5.0, 4.0}), 5.0, 1e-12);
+  EXPECT_NEAR(DistanceTo(stretch, {0.5, 0.0}), 0.0, 1e-12);
+  EXPECT_TRUE(std::isinf(DistanceTo(Outline(), {0.0, 0.0})));
+}
+
 }  // namespace
 }  // namespace ariadne::drivers

@@ -41,7 +41,9 @@ TEST(SampleSurface, DependsOnTheSeedAlone) {
 
 double FarthestY(const drivers::World& world) {
   double farthest = 0.0;
-  for (const Vector3d& p : ReachablePlaces(drivers::RayScene(world), {}))
+  ReachableOptions options;
+  options.step = 0.1;
+  for (const Vector3d& p : ReachablePlaces(drivers::RayScene(world), options))
     farthest = std::max(farthest, p.y());
   return farthest;
 }
@@ -55,7 +57,7 @@ TEST(ReachablePlaces, KeepAwayFromWalls) {
 }
 
 TEST(ReachablePlaces, GoThroughDoorsThatAreWideEnough) {
-  EXPECT_NEAR(FarthestY(TwoRooms(1.0)), 5.5, 1e-9);
+  EXPECT_NEAR(FarthestY(TwoRooms(1.0)), 5.6, 1e-9);
   EXPECT_LT(FarthestY(TwoRooms(0.6)), 3.0);
   EXPECT_LT(FarthestY(TwoRooms(0.0)), 3.0);
 }
@@ -67,6 +69,14 @@ TEST(ReachablePlaces, GoNeitherUnderATableNorOntoAStep) {
   drivers::World step = TwoRooms(1.0);
   step.bodies.push_back(Box("step", {0, 3.0, 0}, {4.0, 6.0, 0.2}));
   EXPECT_LT(FarthestY(step), 3.0);
+}
+
+TEST(ReachablePlaces, DoNotSqueezeBetweenATableTopAndAJamb) {
+  for (const double beside_table : {0.6, 0.8}) {  // free of the door, which is 1 m wide
+    drivers::World world = TwoRooms(1.0);
+    world.bodies.push_back(Box("table top", {3.0, 2.0, 0.70}, {4.0 - beside_table, 3.0, 0.73}));
+    EXPECT_EQ(FarthestY(world) > 3.0, beside_table > 0.7) << beside_table;
+  }
 }
 
 TEST(ReachablePlaces, NeedAFloorUnlessItIsNotAskedFor) {

@@ -4,10 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "slam/base/random.h"
 #include "slam/map/grid_beam.h"
-#include "slam/map/grid_part.h"
+#include "slam/map/grid_votes.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random_geometry.h"
 
@@ -76,6 +77,39 @@ TEST(OccupancyGrid, ShowsWhatTheLastScanMetIfItMayBelieveItsMissesLess) {
   EXPECT_EQ(At(MakeOccupancyGrid(new_wall, {.resolution = 0.1}), 3.05, 0.05), Occupancy::kFree);
   const OccupancyGridOptions wary{.resolution = 0.1, .most_against = 0.8};
   EXPECT_EQ(At(MakeOccupancyGrid(new_wall, wary), 3.05, 0.05), Occupancy::kOccupied);
+}
+
+/// Rows of beams from 0.95 m above the floor onto a table's top, 1.5 to 2.37 m ahead and 0.73 m high, and
+/// beside and behind it onto the floor. The last row on it ends 14 cm before its edge.
+PosedCloud ScanOfTable() {
+  PosedCloud scan;
+  scan.name = "table";
+  scan.T_map_laser.translation.z() = 0.95;
+  for (int row = 1; row < 100; ++row) {
+    const double slope = std::tan(row * 0.47 * std::numbers::pi / 180.0);
+    for (double side = -0.5; side < 0.5; side += 0.01) {  // per metre ahead
+      const double to_top = 0.22 / slope, to_floor = 0.95 / slope;
+      const bool on_table = to_top > 1.5 && to_top < 2.37;
+      const double x = on_table ? to_top : to_floor;
+      if (x < 12.0) scan.cloud_laser.positions.emplace_back(x, side * x, -slope * x);
+    }
+  }
+  return scan;
+}
+
+TEST(OccupancyGrid, LetsATableGoOnToWhereABeamHasPassed) {
+  const PosedCloud scan = ScanOfTable();
+  OccupancyGridOptions options{.resolution = 0.03, .max_height = 1.2};
+  EXPECT_EQ(At(MakeOccupancyGrid({&scan, 1}, options), 2.22, 0.01), Occupancy::kOccupied);
+  EXPECT_EQ(At(MakeOccupancyGrid({&scan, 1}, options), 2.35, 0.01), Occupancy::kFree)
+      << "no point, no table";
+  options.doubt = 0.15;
+  const OccupancyGrid wary = MakeOccupancyGrid({&scan, 1}, options);
+  EXPECT_EQ(At(wary, 2.35, 0.01), Occupancy::kOccupied);
+  EXPECT_EQ(At(wary, 2.65, 0.01), Occupancy::kFree) << "a beam has passed lower";
+  EXPECT_EQ(At(wary, 1.44, 0.01), Occupancy::kFree) << "before the table";
+  options.doubt = 1.0;
+  EXPECT_EQ(At(MakeOccupancyGrid({&scan, 1}, options), 2.65, 0.01), Occupancy::kFree);
 }
 
 TEST(GridVotes, AddUpToTheGridOfAllScans) {
