@@ -18,14 +18,16 @@ constexpr double kNearlyHalfTurn = std::numbers::pi - 0.01;
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// The angle of a vector to 0.0016 rad (Rajan et al., IEEE Signal Processing Magazine 23(3), 2006, (9)): it
-/// only says which rays to look at, and std::atan2 would be half of the time.
-double RoughAngle(const Eigen::Vector2d& v) {
-  const double x = std::abs(v.x()), y = std::abs(v.y());
-  const double q = std::min(x, y) / std::max({x, y, 1e-300});
-  double angle = q * (0.25 * std::numbers::pi + (1.0 - q) * (0.2447 + 0.0663 * q));
-  if (y > x) angle = 0.5 * std::numbers::pi - angle;
-  if (v.x() < 0.0) angle = std::numbers::pi - angle;
-  return std::copysign(angle, v.y());
+/// only says which rays to look at, and std::atan2 would be half of the time. Without branches, so that
+/// compilers turn a loop over it into vectors.
+float RoughAngle(float vx, float vy) {
+  constexpr float kQuarter = 0.25f * std::numbers::pi_v<float>;
+  const float x = std::abs(vx), y = std::abs(vy);
+  const float smaller = x < y ? x : y, larger = x < y ? y : x;
+  const float q = smaller / (larger + 1e-30f);
+  const float octant = q * (kQuarter + (1.0f - q) * (0.2447f + 0.0663f * q));
+  const float quadrant = y > x ? 2.0f * kQuarter - octant : octant;
+  return std::copysign(vx < 0.0f ? 4.0f * kQuarter - quadrant : quadrant, vy);
 }
 
 /// Whether the origin is an end of the edge from a to b.
@@ -35,7 +37,6 @@ bool IsOnEnd(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.isZe
 /// `area` is Cross(a, b).
 double HitDistance(const Eigen::Vector2d& direction, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                    double area) {
-  if (IsOnEnd(a, b)) return 0.0;
   const double side_a = Cross(direction, a), side_b = Cross(direction, b);
   if ((side_a <= 0.0) == (side_b <= 0.0)) return -1.0;
   return area / (side_b - side_a);
@@ -47,19 +48,31 @@ struct RaySpan {
   int count = 0;
 };
 
-/// At least the rays that meet the edge from a to b.
-RaySpan RaysToward(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double heading, double step,
-                   int rays) {
-  const double angle_a = RoughAngle(a), angle_b = RoughAngle(b);
-  double turn = angle_b - angle_a;
+/// At least the rays that meet an edge whose ends are in these directions [rad].
+RaySpan RaysToward(float angle_a, float angle_b, double heading, double step, int rays) {
+  double turn = static_cast<double>(angle_b) - static_cast<double>(angle_a);
   if (turn > std::numbers::pi) turn -= 2.0 * std::numbers::pi;
   if (turn < -std::numbers::pi) turn += 2.0 * std::numbers::pi;
   // On which side the edge passes cannot be told from angles where its ends are nearly opposite.
-  if (std::abs(turn) > kNearlyHalfTurn || IsOnEnd(a, b)) return {0, rays};
-  const double begin = (turn > 0.0 ? angle_a : angle_b) - heading;
-  const int first = static_cast<int>(std::ceil((begin - kAngleError) / step));
+  if (std::abs(turn) > kNearlyHalfTurn) return {0, rays};
+  const double begin = static_cast<double>(turn > 0.0 ? angle_a : angle_b) - heading;
+  int first = static_cast<int>(std::ceil((begin - kAngleError) / step));
   const int last = static_cast<int>(std::floor((begin + std::abs(turn) + kAngleError) / step));
-  return {(first % rays + rays) % rays, std::min(last - first + 1, rays)};
+  const int count = std::min(last - first + 1, rays);
+  while (first < 0) first += rays;  // once, or twice: the begin is within one turn
+  while (first >= rays) first -= rays;
+  return {first, count};
+}
+
+/// Of all corners as seen from a place.
+std::vector<float> RoughAngles(std::span<const double> x_map, std::span<const double> y_map,
+                               const Eigen::Vector2d& p_map) {
+  std::vector<float> angles(x_map.size());
+  const double px = p_map.x(), py = p_map.y();
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i] = RoughAngle(static_cast<float>(x_map[i] - px), static_cast<float>(y_map[i] - py));
+  }
+  return angles;
 }
 
 /// Whether the box around the edge leaves the square of what is in range.
@@ -80,6 +93,12 @@ RayGain::RayGain(std::span<const Edge> edges, double heading, const RayGainOptio
   if (!std::isfinite(heading)) Fail("the robot's heading is {}, which is no angle", heading);
   RequirePlaces(edges);
   step_ = 2.0 * std::numbers::pi / options.rays;
+  for (const Edge& edge : edges) {
+    from_x_.push_back(edge.from.x());
+    from_y_.push_back(edge.from.y());
+    to_x_.push_back(edge.to.x());
+    to_y_.push_back(edge.to.y());
+  }
   for (int i = 0; i < options.rays; ++i) {
     direction_.emplace_back(std::cos(heading_ + i * step_), std::sin(heading_ + i * step_));
   }
@@ -88,27 +107,39 @@ RayGain::RayGain(std::span<const Edge> edges, double heading, const RayGainOptio
 std::vector<RayHit> RayGain::Cast(const Eigen::Vector2d& p_map) const {
   RequirePlaces(std::span(&p_map, 1), "candidate");
   std::vector<RayHit> hits(direction_.size());
-  for (std::size_t i = 0; i < edges_.size(); ++i) Project(i, p_map, hits);
+  const std::vector<float> angle_from = RoughAngles(from_x_, from_y_, p_map);
+  const std::vector<float> angle_to = RoughAngles(to_x_, to_y_, p_map);
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Eigen::Vector2d a = edges_[i].from - p_map, b = edges_[i].to - p_map;
+    if (IsOutOfRange(a, b, options_.max_range)) continue;
+    if (IsOnEnd(a, b)) {
+      for (RayHit& hit : hits) Meet(i, 0.0, hit);
+    } else {
+      const RaySpan span = RaysToward(angle_from[i], angle_to[i], heading_, step_, options_.rays);
+      Project(i, a, b, span.first, span.count, hits);
+    }
+  }
   return hits;
 }
 
-void RayGain::Project(std::size_t number, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const {
-  const Edge& edge = edges_[number];
-  const Eigen::Vector2d a = edge.from - p_map, b = edge.to - p_map;
-  if (IsOutOfRange(a, b, options_.max_range)) return;
+void RayGain::Project(std::size_t edge, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int first,
+                      int count, std::span<RayHit> hits) const {
   const double area = Cross(a, b);
-  const auto [first, count] = RaysToward(a, b, heading_, step_, options_.rays);
+  auto ray = static_cast<std::size_t>(first);
   for (int k = 0; k < count; ++k) {
-    const auto ray =
-        static_cast<std::size_t>(first + k < options_.rays ? first + k : first + k - options_.rays);
     const double distance = HitDistance(direction_[ray], a, b, area);
-    RayHit& hit = hits[ray];
-    if (!(distance >= 0.0)) continue;
-    if (distance > hit.distance) {
-      hit.beyond = std::min(hit.beyond, distance);
-      continue;
-    }
-    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), false, number, hit.distance};
+    if (distance >= 0.0) Meet(edge, distance, hits[ray]);
+    if (++ray == hits.size()) ray = 0;
+  }
+}
+
+/// A ray meets an edge: its first one, one as near, or one behind.
+void RayGain::Meet(std::size_t edge, double distance, RayHit& hit) const {
+  if (distance > hit.distance) {
+    hit.beyond = std::min(hit.beyond, distance);
+  } else {
+    const bool seen = edges_[edge].seen || (distance == hit.distance && hit.seen);
+    hit = {distance, seen, false, edge, hit.distance};
   }
 }
 

@@ -96,13 +96,16 @@ class RayGain {
 
  private:
   double AreaBehind(const RayHit& hit) const;
-  void Project(std::size_t edge, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const;
+  void Project(std::size_t edge, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int first, int count,
+               std::span<RayHit> hits) const;
+  void Meet(std::size_t edge, double distance, RayHit& hit) const;
 
   std::span<const Edge> edges_;
   double heading_;  // [rad]
   RayGainOptions options_;
-  double step_;                             // between rays [rad]
-  std::vector<Eigen::Vector2d> direction_;  // of each ray, of length 1
+  double step_;                                        // between rays [rad]
+  std::vector<Eigen::Vector2d> direction_;             // of each ray, of length 1
+  std::vector<double> from_x_, from_y_, to_x_, to_y_;  // of the edges, for loops over one of them [m]
 };
 
 }  // namespace ariadne::planning
