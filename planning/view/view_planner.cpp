@@ -288,9 +288,10 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
       plan.chosen = decision.Choose(judged);
     }
   }
-  if (!plan.chosen && (by_frontier || options.second_look > 0)) {
+  for (const FrontierSide side : {FrontierSide::kBefore, FrontierSide::kAside}) {
+    if (plan.chosen || !(by_frontier || options.second_look > 0)) break;
     plan.second_look = !by_frontier;
-    const auto places = FrontierPlaces(scene.edges, scene.free, ViewClearance(options));
+    const auto places = FrontierPlaces(scene.edges, scene.free, ViewClearance(options), side);
     const int count = by_frontier ? options.candidates.count : options.second_look;
     Judged before_edges = decision.Judge(decision.Reachable(places, count));
     plan.chosen = decision.Choose(before_edges);

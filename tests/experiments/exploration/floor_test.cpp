@@ -54,7 +54,7 @@ TEST(FloorView, SeesWhatRaysMeet) {
   RandomStream stream = NamedStream(1, "test/floor_view");
   for (const double field_of_view : {90.0, 180.0, 270.0, 360.0}) {
     const slam::Pose2 T_map_scan{DrawUniform(stream, -3.0, 3.0), {2.0, 2.0}};
-    const FloorScannerOptions scanner{field_of_view, 7.0};
+    const FloorScannerOptions scanner{field_of_view, 7.0, true};
     const FloorView view = ViewFloor(floor, T_map_scan, scanner);
     for (int k = 0; k < 2000; ++k) {
       const double turn = DrawUniform(stream, -std::numbers::pi, std::numbers::pi);
@@ -131,11 +131,29 @@ TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
   for (std::size_t i = 0; i < EnumNames<planning::ViewPolicy>::value.size(); ++i) {
     ExploreOptions options;
     options.planner.policy = static_cast<planning::ViewPolicy>(i);
+    options.scanner.free_without_echo = false;
     options.max_scans = 60;
     const Exploration exploration = Explore(floor, cover, floor.T_map_start, options, 1);
     EXPECT_TRUE(exploration.ended) << EnumNames<planning::ViewPolicy>::value[i];
     EXPECT_GT(exploration.steps.back().covered, 0.97) << EnumNames<planning::ViewPolicy>::value[i];
   }
+}
+
+TEST(Explore, SeesAllOfAYardWiderThanItsRange) {
+  const Floor floor = CutFloor(drivers::ParsePlan(R"({"name": "yard", "unit": "m", "start": [20, 20],
+    "area": 1600, "walls": [[0, 0, 40, 0], [40, 0, 40, 40], [40, 40, 0, 40], [0, 40, 0, 0]],
+    "doors": [], "spaces": []})",
+                                                  "yard.json"),
+                               1.5);
+  const FloorCover cover = FindFloorCover(floor, ReachableFloor(floor, {.resolution = 0.5}), {},
+                                          {.sample_spacing = 0.5}, Parallel(1));
+  const Exploration exploration = Explore(floor, cover, floor.T_map_start, {}, 1);
+  EXPECT_TRUE(exploration.ended);
+  EXPECT_EQ(exploration.steps.front().covered, 0.0) << "15 m around the start there is nothing";
+  EXPECT_GT(exploration.steps.back().covered, 0.99);
+  ExploreOptions windows;
+  windows.scanner.free_without_echo = false;
+  EXPECT_LT(Explore(floor, cover, floor.T_map_start, windows, 1).steps.back().covered, 0.5);
 }
 
 TEST(Explore, RepeatsItselfAndDiffersBySeed) {
