@@ -17,17 +17,16 @@ constexpr double kNearlyHalfTurn = std::numbers::pi - 0.01;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The angle of a vector to 0.0016 rad (Rajan et al., IEEE Signal Processing Magazine 23(3), 2006, (9)): it
-/// only says which rays to look at, and std::atan2 would be half of the time. Without branches, so that
-/// compilers turn a loop over it into vectors.
+/// The angle of a vector to 0.0016 rad (after Rajan et al., IEEE Signal Processing Magazine 23(3), 2006,
+/// (9)): it only says which rays to look at, and std::atan2 would be half of the time. Without branches, so
+/// that compilers turn a loop over it into vectors.
 float RoughAngle(float vx, float vy) {
-  constexpr float kQuarter = 0.25f * std::numbers::pi_v<float>;
+  constexpr float kHalf = 0.5f * std::numbers::pi_v<float>;  // a right angle
   const float x = std::abs(vx), y = std::abs(vy);
-  const float smaller = x < y ? x : y, larger = x < y ? y : x;
-  const float q = smaller / (larger + 1e-30f);
-  const float octant = q * (kQuarter + (1.0f - q) * (0.2447f + 0.0663f * q));
-  const float quadrant = y > x ? 2.0f * kQuarter - octant : octant;
-  return std::copysign(vx < 0.0f ? 4.0f * kQuarter - quadrant : quadrant, vy);
+  const float q = (x - y) / (x + y + 1e-30f), r = std::abs(q);
+  const float off_diagonal = q * (0.5f * kHalf + (1.0f - r) * (0.2447f + 0.0663f * r));
+  const float from_y = 0.5f * kHalf + off_diagonal;  // the angle to the nearer half of the y axis
+  return std::copysign(kHalf - std::copysign(from_y, vx), vy);
 }
 
 /// Whether the origin is an end of the edge from a to b.
@@ -49,15 +48,15 @@ struct RaySpan {
 };
 
 /// At least the rays that meet an edge whose ends are in these directions [rad].
-RaySpan RaysToward(float angle_a, float angle_b, double heading, double step, int rays) {
+RaySpan RaysToward(float angle_a, float angle_b, double heading, double rays_per_radian, int rays) {
   double turn = static_cast<double>(angle_b) - static_cast<double>(angle_a);
   if (turn > std::numbers::pi) turn -= 2.0 * std::numbers::pi;
   if (turn < -std::numbers::pi) turn += 2.0 * std::numbers::pi;
   // On which side the edge passes cannot be told from angles where its ends are nearly opposite.
   if (std::abs(turn) > kNearlyHalfTurn) return {0, rays};
   const double begin = static_cast<double>(turn > 0.0 ? angle_a : angle_b) - heading;
-  int first = static_cast<int>(std::ceil((begin - kAngleError) / step));
-  const int last = static_cast<int>(std::floor((begin + std::abs(turn) + kAngleError) / step));
+  int first = static_cast<int>(std::ceil((begin - kAngleError) * rays_per_radian));
+  const int last = static_cast<int>(std::floor((begin + std::abs(turn) + kAngleError) * rays_per_radian));
   const int count = std::min(last - first + 1, rays);
   while (first < 0) first += rays;  // once, or twice: the begin is within one turn
   while (first >= rays) first -= rays;
@@ -93,29 +92,34 @@ RayGain::RayGain(std::span<const Edge> edges, double heading, const RayGainOptio
   if (!std::isfinite(heading)) Fail("the robot's heading is {}, which is no angle", heading);
   RequirePlaces(edges);
   step_ = 2.0 * std::numbers::pi / options.rays;
-  for (const Edge& edge : edges) {
-    from_x_.push_back(edge.from.x());
-    from_y_.push_back(edge.from.y());
-    to_x_.push_back(edge.to.x());
-    to_y_.push_back(edge.to.y());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i == 0 || edges[i].from != edges[i - 1].to) AddCorner(edges[i].from);
+    AddCorner(edges[i].to);
+    corner_to_.push_back(corner_x_.size() - 1);
   }
   for (int i = 0; i < options.rays; ++i) {
     direction_.emplace_back(std::cos(heading_ + i * step_), std::sin(heading_ + i * step_));
   }
 }
 
+void RayGain::AddCorner(const Eigen::Vector2d& p_map) {
+  corner_x_.push_back(p_map.x());
+  corner_y_.push_back(p_map.y());
+}
+
 std::vector<RayHit> RayGain::Cast(const Eigen::Vector2d& p_map) const {
   RequirePlaces(std::span(&p_map, 1), "candidate");
   std::vector<RayHit> hits(direction_.size());
-  const std::vector<float> angle_from = RoughAngles(from_x_, from_y_, p_map);
-  const std::vector<float> angle_to = RoughAngles(to_x_, to_y_, p_map);
+  const std::vector<float> angles = RoughAngles(corner_x_, corner_y_, p_map);
+  const double rays_per_radian = 1.0 / step_;
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     const Eigen::Vector2d a = edges_[i].from - p_map, b = edges_[i].to - p_map;
     if (IsOutOfRange(a, b, options_.max_range)) continue;
     if (IsOnEnd(a, b)) {
       for (RayHit& hit : hits) Meet(i, 0.0, hit);
     } else {
-      const RaySpan span = RaysToward(angle_from[i], angle_to[i], heading_, step_, options_.rays);
+      const std::size_t to = corner_to_[i];
+      const RaySpan span = RaysToward(angles[to - 1], angles[to], heading_, rays_per_radian, options_.rays);
       Project(i, a, b, span.first, span.count, hits);
     }
   }

@@ -95,6 +95,7 @@ class RayGain {
   const Eigen::Vector2d& Direction(std::size_t ray) const { return direction_[ray]; }
 
  private:
+  void AddCorner(const Eigen::Vector2d& p_map);
   double AreaBehind(const RayHit& hit) const;
   void Project(std::size_t edge, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int first, int count,
                std::span<RayHit> hits) const;
@@ -103,9 +104,10 @@ class RayGain {
   std::span<const Edge> edges_;
   double heading_;  // [rad]
   RayGainOptions options_;
-  double step_;                                        // between rays [rad]
-  std::vector<Eigen::Vector2d> direction_;             // of each ray, of length 1
-  std::vector<double> from_x_, from_y_, to_x_, to_y_;  // of the edges, for loops over one of them [m]
+  double step_;                              // between rays [rad]
+  std::vector<Eigen::Vector2d> direction_;   // of each ray, of length 1
+  std::vector<double> corner_x_, corner_y_;  // of the edges, each right after the one before it [m]
+  std::vector<std::size_t> corner_to_;       // where each edge ends
 };
 
 }  // namespace ariadne::planning
