@@ -12,16 +12,12 @@ namespace ariadne::experiments {
 struct FloorScannerOptions {
   double field_of_view = 180.0;
   double max_range = 15.0;
-  bool free_without_echo = true;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("field_of_view", self.field_of_view, Unit("deg"), Range{1.0, 360.0},
           "the paper's scanner has 180");
     visit("max_range", self.max_range, Unit("m"), Range{0.1, 1000.0}, "what is farther is not seen");
-    visit("free_without_echo", self.free_without_echo,
-          "whether a direction without a wall in range is free up to the range, or may be a window; yards "
-          "wider than the range are not explored otherwise");
   }
 };
 
@@ -32,7 +28,9 @@ struct FloorView {
   planning::LabelledPolygon polygon;           // what is then known to be free, with seen walls
 };
 
-/// Exact visibility, without errors. No walls within range: free up to there, or an empty polygon.
+/// Exact visibility, without errors. Directions without a wall in range are free up to the range, if the
+/// floor is enclosed: yards wider than that are not explored otherwise. Else they may be windows to
+/// nowhere.
 FloorView ViewFloor(const Floor& floor, const slam::Pose2& T_map_scan, const FloorScannerOptions& options);
 
 /// Whether a place on a wall is among what was seen, to 1 mm.

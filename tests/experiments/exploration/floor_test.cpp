@@ -46,6 +46,7 @@ TEST(Floor, IsTheCutThroughTheWalls) {
   EXPECT_NEAR(RangeOf(floor, {2.0, 1.0}, std::numbers::pi), 2.0 - 0.06, 1e-3) << "walls are 12 cm thick";
   EXPECT_NEAR(RangeOf(floor, {2.0, 1.0}, 0.0), 4.0 - 0.06, 1e-3);
   EXPECT_NEAR(RangeOf(floor, {2.0, 2.45}, 0.0), 10.0 - 0.06, 1e-3) << "through the door";
+  EXPECT_TRUE(floor.enclosed) << "by the yard's wall";
   EXPECT_THAT(ErrorOf([] { CutFloor(TwoRoomPlan(), 50.0); }), testing::HasSubstr("nothing stands"));
 }
 
@@ -54,7 +55,7 @@ TEST(FloorView, SeesWhatRaysMeet) {
   RandomStream stream = NamedStream(1, "test/floor_view");
   for (const double field_of_view : {90.0, 180.0, 270.0, 360.0}) {
     const slam::Pose2 T_map_scan{DrawUniform(stream, -3.0, 3.0), {2.0, 2.0}};
-    const FloorScannerOptions scanner{field_of_view, 7.0, true};
+    const FloorScannerOptions scanner{field_of_view, 7.0};
     const FloorView view = ViewFloor(floor, T_map_scan, scanner);
     for (int k = 0; k < 2000; ++k) {
       const double turn = DrawUniform(stream, -std::numbers::pi, std::numbers::pi);
@@ -123,6 +124,7 @@ TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
   // A gap in the wall behind which there is nothing at all: it would promise the same gain for ever.
   Floor floor = TwoRoomFloor();
   std::erase_if(floor.faces, [](const FloorWall& f) { return std::min(f.from.x(), f.to.x()) > 11.0; });
+  floor.enclosed = false;
   const std::vector<Vector2d> reachable = [&] {
     std::vector<Vector2d> within = ReachableFloor(TwoRoomFloor(), {});
     return within;
@@ -131,7 +133,6 @@ TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
   for (std::size_t i = 0; i < EnumNames<planning::ViewPolicy>::value.size(); ++i) {
     ExploreOptions options;
     options.planner.policy = static_cast<planning::ViewPolicy>(i);
-    options.scanner.free_without_echo = false;
     options.max_scans = 60;
     const Exploration exploration = Explore(floor, cover, floor.T_map_start, options, 1);
     EXPECT_TRUE(exploration.ended) << EnumNames<planning::ViewPolicy>::value[i];
@@ -140,20 +141,19 @@ TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
 }
 
 TEST(Explore, SeesAllOfAYardWiderThanItsRange) {
-  const Floor floor = CutFloor(drivers::ParsePlan(R"({"name": "yard", "unit": "m", "start": [20, 20],
+  Floor floor = CutFloor(drivers::ParsePlan(R"({"name": "yard", "unit": "m", "start": [20, 20],
     "area": 1600, "walls": [[0, 0, 40, 0], [40, 0, 40, 40], [40, 40, 0, 40], [0, 40, 0, 0]],
     "doors": [], "spaces": []})",
-                                                  "yard.json"),
-                               1.5);
+                                            "yard.json"),
+                         1.5);
   const FloorCover cover = FindFloorCover(floor, ReachableFloor(floor, {.resolution = 0.5}), {},
                                           {.sample_spacing = 0.5}, Parallel(1));
   const Exploration exploration = Explore(floor, cover, floor.T_map_start, {}, 1);
   EXPECT_TRUE(exploration.ended);
   EXPECT_EQ(exploration.steps.front().covered, 0.0) << "15 m around the start there is nothing";
   EXPECT_GT(exploration.steps.back().covered, 0.99);
-  ExploreOptions windows;
-  windows.scanner.free_without_echo = false;
-  EXPECT_LT(Explore(floor, cover, floor.T_map_start, windows, 1).steps.back().covered, 0.5);
+  floor.enclosed = false;
+  EXPECT_LT(Explore(floor, cover, floor.T_map_start, {}, 1).steps.back().covered, 0.5);
 }
 
 TEST(Explore, RepeatsItselfAndDiffersBySeed) {
