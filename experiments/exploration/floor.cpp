@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -15,6 +16,7 @@ namespace {
 constexpr double kOffGrid = 1e-6;  // the cut passes no vertex: models have theirs at round heights [m]
 constexpr double kSamePlace = 1e-6;
 constexpr double kInLine = 1e-6;
+constexpr double kOnSide = 1e-3;     // [m]
 constexpr double kUpright = 0.0872;  // sin of what the docstring promises
 
 std::optional<FloorWall> CutTriangle(const std::array<Eigen::Vector3d, 3>& p, double z) {
@@ -72,6 +74,32 @@ void JoinInLine(std::vector<FloorWall>& faces) {
   faces.resize(kept);
 }
 
+/// The share of one side of a box that faces lie along: the least or the greatest x or y.
+double WalledShare(const std::vector<FloorWall>& faces, const Eigen::AlignedBox2d& box, int axis,
+                   bool least) {
+  const double at = least ? box.min()[axis] : box.max()[axis];
+  const int along = 1 - axis;
+  std::vector<std::pair<double, double>> walled;
+  for (const FloorWall& face : faces) {
+    if (std::abs(face.from[axis] - at) > kOnSide || std::abs(face.to[axis] - at) > kOnSide) continue;
+    walled.push_back(std::minmax({face.from[along], face.to[along]}));
+  }
+  std::ranges::sort(walled);
+  double length = 0.0, done = box.min()[along];
+  for (const auto& [from, to] : walled) {
+    length += std::max(0.0, to - std::max(from, done));
+    done = std::max(done, to);
+  }
+  return length / box.sizes()[along];
+}
+
+bool IsEnclosed(const std::vector<FloorWall>& faces) {
+  Eigen::AlignedBox2d box;
+  for (const FloorWall& face : faces) box.extend(face.from).extend(face.to);
+  const auto is_walled = [&](int axis, bool least) { return WalledShare(faces, box, axis, least) > 0.999; };
+  return is_walled(0, true) && is_walled(0, false) && is_walled(1, true) && is_walled(1, false);
+}
+
 }  // namespace
 
 Floor CutFloor(const drivers::World& world, double height) {
@@ -91,6 +119,7 @@ Floor CutFloor(const drivers::World& world, double height) {
     floor.faces.insert(floor.faces.end(), faces.begin(), faces.end());
   }
   if (floor.faces.empty()) Fail("{}: nothing stands at a height of {} m", world.name, height);
+  floor.enclosed = IsEnclosed(floor.faces);
   return floor;
 }
 

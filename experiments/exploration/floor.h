@@ -22,6 +22,7 @@ struct Floor {
   std::string name;
   std::vector<FloorWall> faces;  // those inside of walls included, where bodies overlap
   slam::Pose2 T_map_start;
+  bool enclosed = false;  // by walls along all four sides of the box around the faces
 };
 
 /// The cut through all bodies that stand, at a height above z = 0 [m]. Pieces in line are joined. Error

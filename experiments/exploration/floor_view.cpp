@@ -73,6 +73,8 @@ std::vector<SliceLine> LinesInView(const Floor& floor, const slam::Pose2& T_map_
 FloorView ViewFloor(const Floor& floor, const slam::Pose2& T_map_scan, const FloorScannerOptions& options) {
   const std::vector<SliceLine> lines = LinesInView(floor, T_map_scan, options);
   planning::SlicePolygonOptions polygon;
+  polygon.free_range = floor.enclosed ? options.max_range : 0.0;
+  polygon.field_of_view = options.field_of_view;
   if (options.field_of_view >= 360.0) polygon.closure = planning::PolygonClosure::kChord;
   return {T_map_scan, planning::VisiblePieces(lines), planning::SlicePolygon(lines, T_map_scan, polygon)};
 }

@@ -28,7 +28,9 @@ struct FloorView {
   planning::LabelledPolygon polygon;           // what is then known to be free, with seen walls
 };
 
-/// Exact visibility, without errors. No walls within range: an empty polygon.
+/// Exact visibility, without errors. Directions without a wall in range are free up to the range, if the
+/// floor is enclosed: yards wider than that are not explored otherwise. Else they may be windows to
+/// nowhere.
 FloorView ViewFloor(const Floor& floor, const slam::Pose2& T_map_scan, const FloorScannerOptions& options);
 
 /// Whether a place on a wall is among what was seen, to 1 mm.

@@ -114,7 +114,8 @@ std::string LogPlot(std::span<const LogSeries> series, std::span<const LogLevel>
       Fail("the plot's level {} is {}, which has no logarithm", level.name, level.y);
     ys.push_back(level.y);
   }
-  const LogScale x = ScaleOf(xs, kLeft, kWidth - kRight), y = ScaleOf(ys, kHeight - kBottom, kTop);
+  const LogScale x = ScaleOf(xs, kLeft, kWidth - kRight),
+                 y = ScaleOf(ys, kHeight - kBottom, kTop + kRow * static_cast<double>(series.size()));
   std::string svg = fmt::format(
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {:.0f} {:.0f}" font-family="sans-serif" font-size="13">)"
       "\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n",
@@ -127,15 +128,19 @@ std::string LogPlot(std::span<const LogSeries> series, std::span<const LogLevel>
   for (const LogLevel& level : levels) {
     svg +=
         PlotLine(x.begin, y.At(level.y), x.end, y.At(level.y), R"(stroke="#a00" stroke-dasharray="6 4")");
-    svg += PlotText(x.end - 4.0, y.At(level.y) - 5.0, level.name, R"(text-anchor="end" fill="#a00")");
   }
   for (std::size_t i = 0; i < series.size(); ++i) {
     const std::string color = kPlotColors[i % kPlotColors.size()];
-    const double row = kTop + 14.0 + kRow * static_cast<double>(i);
+    const double row = kTop + 4.0 + kRow * static_cast<double>(i);  // above the plot
     svg += PlotSeries(series[i], color, x, y);
     svg += PlotLine(x.begin + 10.0, row - 4.0, x.begin + 30.0, row - 4.0,
                     fmt::format(R"(stroke="{}" stroke-width="2")", color));
     svg += PlotText(x.begin + 36.0, row, series[i].name, "");
+  }
+  for (const LogLevel& level : levels) {  // readable where a curve passes
+    svg +=
+        PlotText(x.end - 4.0, y.At(level.y) - 5.0, level.name,
+                 R"(text-anchor="end" fill="#a00" stroke="white" stroke-width="4" paint-order="stroke")");
   }
   return svg + "</svg>\n";
 }

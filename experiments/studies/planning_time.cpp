@@ -106,7 +106,7 @@ std::string GrowthPlot(std::span<const PlanningTimes> measured, int PlanningTime
   const std::vector<LogLevel> levels{{fmt::format("goal for {} candidates and {} edges: median",
                                                   options.usual_candidates, options.usual_edges),
                                       options.median_limit},
-                                     {"99 %", options.quantile_limit}};
+                                     {"goal: 99 %", options.quantile_limit}};
   return LogPlot(series, levels, title, "planning the next view [ms]");
 }
 

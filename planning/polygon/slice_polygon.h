@@ -23,12 +23,20 @@ enum class PolygonClosure {
 
 struct SlicePolygonOptions {
   PolygonClosure closure = PolygonClosure::kThroughScanner;
+  double free_range = 0.0;
+  double field_of_view = 180.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("closure", self.closure,
           "behind the scanner: through_scanner claims nothing that a 180 degree scan has not looked at, "
           "chord is the paper's single edge (4.2)");
+    visit("free_range", self.free_range, Unit("m"), Range{0.0, 1000.0},
+          "up to where a direction in which no line was found is free: the scanner's range, if all that "
+          "stands within it sends light back. Halls wider than that cannot be explored otherwise. The "
+          "paper has none (0): an edge joins the lines on both sides");
+    visit("field_of_view", self.field_of_view, Unit("deg"), Range{1.0, 360.0},
+          "of the scanner, for free_range: nothing was looked for outside of it");
   }
 };
 
@@ -42,6 +50,9 @@ struct SlicePolygonOptions {
 /// 180 degrees or more is closed through the scanner's place, since a chord would leave the scanner
 /// outside. Left out are lines that say nothing of free space: those seen end on (under 0.1 mrad) and those
 /// that pass the scanner within 1 cm. No line left: an empty polygon.
+///
+/// With a free_range, gaps of more than 4 mrad reach out to it, by unseen chords of at most 5 degrees; then
+/// no line is no empty polygon either.
 ///
 /// Error where a line or the pose is NaN or infinite.
 LabelledPolygon SlicePolygon(std::span<const SliceLine> lines_scan, const slam::Pose2& T_map_scan,

@@ -1,5 +1,6 @@
 #include "planning/view/frontier_places.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,13 +8,27 @@
 namespace ariadne::planning {
 namespace {
 
-constexpr double kSpacing = 1.0;                                         // along an edge [m]
-constexpr std::array kBefore{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};  // beyond the radius [m]
+constexpr double kSpacing = 1.0;                                          // along an edge [m]
+constexpr std::array kBefore{0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0};   // beyond the radius [m]
+constexpr std::array kAside{0.4, -0.4, 0.8, -0.8, 1.1, -1.1, 1.4, -1.4};  // from straight before [rad]
+
+using Vectors = std::vector<Eigen::Vector2d>;
+
+/// The nearest free place before a place on an edge, in a direction.
+void AppendBefore(const Eigen::Vector2d& p_map, const Eigen::Vector2d& direction, const FreeSpace& free,
+                  double radius, Vectors& places) {
+  for (const double before : kBefore) {
+    const Eigen::Vector2d place = p_map + (radius + before) * direction;
+    if (!free.IsFree(place, radius)) continue;
+    places.push_back(place);
+    return;
+  }
+}
 
 }  // namespace
 
 std::vector<Eigen::Vector2d> FrontierPlaces(std::span<const Edge> edges, const FreeSpace& free,
-                                            double radius) {
+                                            double radius, FrontierSide side) {
   std::vector<const Edge*> unseen;
   for (const Edge& edge : edges) {
     if (!edge.seen && edge.from != edge.to) unseen.push_back(&edge);
@@ -28,12 +43,10 @@ std::vector<Eigen::Vector2d> FrontierPlaces(std::span<const Edge> edges, const F
     const int parts = std::max(1, static_cast<int>(std::lround(along.norm() / kSpacing)));
     for (int k = 0; k < parts; ++k) {
       const Eigen::Vector2d p = edge->from + (k + 0.5) / parts * along;
-      for (const double before : kBefore) {
-        const Eigen::Vector2d place = p + (radius + before) * inwards;
-        if (!free.IsFree(place, radius)) continue;
-        places.push_back(place);
-        break;
-      }
+      if (side == FrontierSide::kBefore) AppendBefore(p, inwards, free, radius, places);
+      if (side == FrontierSide::kBefore) continue;
+      for (const double turn : kAside)
+        AppendBefore(p, Eigen::Rotation2Dd(turn) * inwards, free, radius, places);
     }
   }
   return places;

@@ -2,32 +2,25 @@
 
 #include <cmath>
 
+#include "planning/view/best_of.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::planning {
-namespace {
+double GainOf(const View& view, const NextViewOptions& options) {
+  return options.gain.measure == GainMeasure::kArea ? view.area : view.gain;
+}
 
-View Judge(const Eigen::Vector2d& p_map, const RayGain& gain, const slam::Pose2& T_map_robot,
-           const NextViewOptions& options) {
-  const ViewGain best = gain.At(p_map);
-  View view;
-  view.p_map = p_map;
-  view.direction = best.direction;
-  view.gain = best.gain;
-  view.area = best.area;
-  view.overlap = best.overlap;
-  view.distance = (p_map - T_map_robot.translation).norm();
+double LogValue(const View& view, const NextViewOptions& options) {
+  return std::log(GainOf(view, options)) - options.distance_weight * view.distance -
+         options.angle_weight * slam::DegFromRad(view.turn);
+}
+
+View JudgedView(const Eigen::Vector2d& p_map, const ViewGain& best, double way,
+                const slam::Pose2& T_map_robot, const NextViewOptions& options) {
+  View view{p_map, best.direction, best.gain, best.area, best.overlap, way, 0.0, 0.0};
   view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot.angle));
   view.value = std::exp(LogValue(view, options));  // of no gain: exp(-inf) = 0
   return view;
-}
-
-}  // namespace
-
-double LogValue(const View& view, const NextViewOptions& options) {
-  const double gain = options.gain.measure == GainMeasure::kArea ? view.area : view.gain;
-  return std::log(gain) - options.distance_weight * view.distance -
-         options.angle_weight * slam::DegFromRad(view.turn);
 }
 
 NextViewOptions PaperNextViewOptions() {
@@ -45,16 +38,16 @@ NextViewResult ChooseNextView(std::span<const Eigen::Vector2d> candidates, std::
   RequirePlaces(std::span(&T_map_robot.translation, 1), "robot");
   const RayGain gain(edges, T_map_robot.angle, options.gain);
   NextViewResult result;
-  double highest = 0.0;
+  std::vector<std::size_t> worth;
   for (const Eigen::Vector2d& p_map : candidates) {
-    const View view = result.views.emplace_back(Judge(p_map, gain, T_map_robot, options));
-    if (view.gain < options.min_gain) continue;
-    const double log_value = LogValue(view, options);
-    if (result.chosen && log_value <= highest) continue;
-    highest = log_value;
-    result.chosen = result.views.size() - 1;
+    const double way = (p_map - T_map_robot.translation).norm();
+    result.views.push_back(JudgedView(p_map, gain.At(p_map), way, T_map_robot, options));
+    if (result.views.back().gain >= options.min_gain) worth.push_back(result.views.size() - 1);
   }
-  if (!candidates.empty()) result.status = result.chosen ? NextViewStatus::kFound : NextViewStatus::kNoGain;
+  if (candidates.empty()) return result;
+  result.status = worth.empty() ? NextViewStatus::kNoGain : NextViewStatus::kFound;
+  if (worth.empty()) return result;
+  result.chosen = BestOf(worth, [&](std::size_t i) { return LogValue(result.views[i], options); });
   return result;
 }
 

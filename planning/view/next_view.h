@@ -56,8 +56,15 @@ struct NextViewResult {
   std::optional<std::size_t> chosen;  // of the views, where one was found
 };
 
+/// The gain by its measure: rays, or an area [m^2].
+double GainOf(const View& view, const NextViewOptions& options);
+
 /// The logarithm of the value: of the gain by its measure, and of both penalties.
 double LogValue(const View& view, const NextViewOptions& options);
+
+/// A place with its best field of view, seen from where the robot is; `way` is the distance to it [m].
+View JudgedView(const Eigen::Vector2d& p_map, const ViewGain& best, double way,
+                const slam::Pose2& T_map_robot, const NextViewOptions& options);
 
 /// The candidate with the highest value among those with min_gain; of equal ones the first. kNoGain:
 /// nothing is left to see from any candidate. Error for a pose, candidates or edges that are not finite.

@@ -17,15 +17,16 @@ constexpr double kNearlyHalfTurn = std::numbers::pi - 0.01;
 
 double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The angle of a vector to 0.0016 rad (Rajan et al., IEEE Signal Processing Magazine 23(3), 2006, (9)): it
-/// only says which rays to look at, and std::atan2 would be half of the time.
-double RoughAngle(const Eigen::Vector2d& v) {
-  const double x = std::abs(v.x()), y = std::abs(v.y());
-  const double q = std::min(x, y) / std::max({x, y, 1e-300});
-  double angle = q * (0.25 * std::numbers::pi + (1.0 - q) * (0.2447 + 0.0663 * q));
-  if (y > x) angle = 0.5 * std::numbers::pi - angle;
-  if (v.x() < 0.0) angle = std::numbers::pi - angle;
-  return std::copysign(angle, v.y());
+/// The angle of a vector to 0.0016 rad (after Rajan et al., IEEE Signal Processing Magazine 23(3), 2006,
+/// (9)): it only says which rays to look at, and std::atan2 would be half of the time. Without branches, so
+/// that compilers turn a loop over it into vectors.
+float RoughAngle(float vx, float vy) {
+  constexpr float kHalf = 0.5f * std::numbers::pi_v<float>;  // a right angle
+  const float x = std::abs(vx), y = std::abs(vy);
+  const float q = (x - y) / (x + y + 1e-30f), r = std::abs(q);
+  const float off_diagonal = q * (0.5f * kHalf + (1.0f - r) * (0.2447f + 0.0663f * r));
+  const float from_y = 0.5f * kHalf + off_diagonal;  // the angle to the nearer half of the y axis
+  return std::copysign(kHalf - std::copysign(from_y, vx), vy);
 }
 
 /// Whether the origin is an end of the edge from a to b.
@@ -35,7 +36,6 @@ bool IsOnEnd(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.isZe
 /// `area` is Cross(a, b).
 double HitDistance(const Eigen::Vector2d& direction, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
                    double area) {
-  if (IsOnEnd(a, b)) return 0.0;
   const double side_a = Cross(direction, a), side_b = Cross(direction, b);
   if ((side_a <= 0.0) == (side_b <= 0.0)) return -1.0;
   return area / (side_b - side_a);
@@ -47,19 +47,31 @@ struct RaySpan {
   int count = 0;
 };
 
-/// At least the rays that meet the edge from a to b.
-RaySpan RaysToward(const Eigen::Vector2d& a, const Eigen::Vector2d& b, double heading, double step,
-                   int rays) {
-  const double angle_a = RoughAngle(a), angle_b = RoughAngle(b);
-  double turn = angle_b - angle_a;
+/// At least the rays that meet an edge whose ends are in these directions [rad].
+RaySpan RaysToward(float angle_a, float angle_b, double heading, double rays_per_radian, int rays) {
+  double turn = static_cast<double>(angle_b) - static_cast<double>(angle_a);
   if (turn > std::numbers::pi) turn -= 2.0 * std::numbers::pi;
   if (turn < -std::numbers::pi) turn += 2.0 * std::numbers::pi;
   // On which side the edge passes cannot be told from angles where its ends are nearly opposite.
-  if (std::abs(turn) > kNearlyHalfTurn || IsOnEnd(a, b)) return {0, rays};
-  const double begin = (turn > 0.0 ? angle_a : angle_b) - heading;
-  const int first = static_cast<int>(std::ceil((begin - kAngleError) / step));
-  const int last = static_cast<int>(std::floor((begin + std::abs(turn) + kAngleError) / step));
-  return {(first % rays + rays) % rays, std::min(last - first + 1, rays)};
+  if (std::abs(turn) > kNearlyHalfTurn) return {0, rays};
+  const double begin = static_cast<double>(turn > 0.0 ? angle_a : angle_b) - heading;
+  int first = static_cast<int>(std::ceil((begin - kAngleError) * rays_per_radian));
+  const int last = static_cast<int>(std::floor((begin + std::abs(turn) + kAngleError) * rays_per_radian));
+  const int count = std::min(last - first + 1, rays);
+  while (first < 0) first += rays;  // once, or twice: the begin is within one turn
+  while (first >= rays) first -= rays;
+  return {first, count};
+}
+
+/// Of all corners as seen from a place.
+std::vector<float> RoughAngles(std::span<const double> x_map, std::span<const double> y_map,
+                               const Eigen::Vector2d& p_map) {
+  std::vector<float> angles(x_map.size());
+  const double px = p_map.x(), py = p_map.y();
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    angles[i] = RoughAngle(static_cast<float>(x_map[i] - px), static_cast<float>(y_map[i] - py));
+  }
+  return angles;
 }
 
 /// Whether the box around the edge leaves the square of what is in range.
@@ -80,35 +92,58 @@ RayGain::RayGain(std::span<const Edge> edges, double heading, const RayGainOptio
   if (!std::isfinite(heading)) Fail("the robot's heading is {}, which is no angle", heading);
   RequirePlaces(edges);
   step_ = 2.0 * std::numbers::pi / options.rays;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i == 0 || edges[i].from != edges[i - 1].to) AddCorner(edges[i].from);
+    AddCorner(edges[i].to);
+    corner_to_.push_back(corner_x_.size() - 1);
+  }
   for (int i = 0; i < options.rays; ++i) {
     direction_.emplace_back(std::cos(heading_ + i * step_), std::sin(heading_ + i * step_));
   }
 }
 
+void RayGain::AddCorner(const Eigen::Vector2d& p_map) {
+  corner_x_.push_back(p_map.x());
+  corner_y_.push_back(p_map.y());
+}
+
 std::vector<RayHit> RayGain::Cast(const Eigen::Vector2d& p_map) const {
   RequirePlaces(std::span(&p_map, 1), "candidate");
   std::vector<RayHit> hits(direction_.size());
-  for (std::size_t i = 0; i < edges_.size(); ++i) Project(i, p_map, hits);
+  const std::vector<float> angles = RoughAngles(corner_x_, corner_y_, p_map);
+  const double rays_per_radian = 1.0 / step_;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    const Eigen::Vector2d a = edges_[i].from - p_map, b = edges_[i].to - p_map;
+    if (IsOutOfRange(a, b, options_.max_range)) continue;
+    if (IsOnEnd(a, b)) {
+      for (RayHit& hit : hits) Meet(i, 0.0, hit);
+    } else {
+      const std::size_t to = corner_to_[i];
+      const RaySpan span = RaysToward(angles[to - 1], angles[to], heading_, rays_per_radian, options_.rays);
+      Project(i, a, b, span.first, span.count, hits);
+    }
+  }
   return hits;
 }
 
-void RayGain::Project(std::size_t number, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const {
-  const Edge& edge = edges_[number];
-  const Eigen::Vector2d a = edge.from - p_map, b = edge.to - p_map;
-  if (IsOutOfRange(a, b, options_.max_range)) return;
+void RayGain::Project(std::size_t edge, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int first,
+                      int count, std::span<RayHit> hits) const {
   const double area = Cross(a, b);
-  const auto [first, count] = RaysToward(a, b, heading_, step_, options_.rays);
+  auto ray = static_cast<std::size_t>(first);
   for (int k = 0; k < count; ++k) {
-    const auto ray =
-        static_cast<std::size_t>(first + k < options_.rays ? first + k : first + k - options_.rays);
     const double distance = HitDistance(direction_[ray], a, b, area);
-    RayHit& hit = hits[ray];
-    if (!(distance >= 0.0)) continue;
-    if (distance > hit.distance) {
-      hit.beyond = std::min(hit.beyond, distance);
-      continue;
-    }
-    hit = {distance, edge.seen || (distance == hit.distance && hit.seen), false, number, hit.distance};
+    if (distance >= 0.0) Meet(edge, distance, hits[ray]);
+    if (++ray == hits.size()) ray = 0;
+  }
+}
+
+/// A ray meets an edge: its first one, one as near, or one behind.
+void RayGain::Meet(std::size_t edge, double distance, RayHit& hit) const {
+  if (distance > hit.distance) {
+    hit.beyond = std::min(hit.beyond, distance);
+  } else {
+    const bool seen = edges_[edge].seen || (distance == hit.distance && hit.seen);
+    hit = {distance, seen, false, edge, hit.distance};
   }
 }
 

@@ -95,14 +95,19 @@ class RayGain {
   const Eigen::Vector2d& Direction(std::size_t ray) const { return direction_[ray]; }
 
  private:
+  void AddCorner(const Eigen::Vector2d& p_map);
   double AreaBehind(const RayHit& hit) const;
-  void Project(std::size_t edge, const Eigen::Vector2d& p_map, std::span<RayHit> hits) const;
+  void Project(std::size_t edge, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int first, int count,
+               std::span<RayHit> hits) const;
+  void Meet(std::size_t edge, double distance, RayHit& hit) const;
 
   std::span<const Edge> edges_;
   double heading_;  // [rad]
   RayGainOptions options_;
-  double step_;                             // between rays [rad]
-  std::vector<Eigen::Vector2d> direction_;  // of each ray, of length 1
+  double step_;                              // between rays [rad]
+  std::vector<Eigen::Vector2d> direction_;   // of each ray, of length 1
+  std::vector<double> corner_x_, corner_y_;  // of the edges, each right after the one before it [m]
+  std::vector<std::size_t> corner_to_;       // where each edge ends
 };
 
 }  // namespace ariadne::planning

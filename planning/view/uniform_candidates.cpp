@@ -52,23 +52,34 @@ bool KeepsClear(std::span<const Edge> edges, const Eigen::Vector2d& p, const Can
 
 }  // namespace
 
-std::vector<Eigen::Vector2d> DrawCandidates(std::span<const slam::Polygon2> area,
-                                            std::span<const Edge> edges, const CandidateOptions& options,
-                                            std::uint64_t seed) {
+std::vector<Eigen::Vector2d> DrawWantedCandidates(std::span<const slam::Polygon2> area,
+                                                  std::span<const Edge> edges,
+                                                  const CandidateOptions& options, std::uint64_t seed,
+                                                  int count, const IsWantedCandidate& is_wanted) {
   CheckOptions(options, "candidates.");
   RequirePlaces(edges);
   const TriangleSampler sampler(slam::Triangulated(area));
-  std::vector<Eigen::Vector2d> places;
-  if (sampler.IsEmpty()) return places;
-  const auto count = static_cast<std::size_t>(options.count);
+  std::vector<Eigen::Vector2d> wanted;
+  if (sampler.IsEmpty()) return wanted;
   RandomStream stream = NamedStream(seed, "view/candidates");
-  for (std::size_t left = count * static_cast<std::size_t>(options.max_draws);
-       left > 0 && places.size() < count; --left) {
+  int drawn = 0;
+  for (long left = static_cast<long>(options.count) * options.max_draws;
+       left > 0 && drawn < options.count && wanted.size() < static_cast<std::size_t>(count); --left) {
     const Eigen::Vector2d p = sampler.Draw(stream);
+    const bool is_one = is_wanted(p);
     // The triangles are rounded to 0.1 mm and may stand out by that.
-    if (IsWithin(area, p) && KeepsClear(edges, p, options)) places.push_back(p);
+    if (!(is_one || IsWithin(area, p)) || !KeepsClear(edges, p, options)) continue;
+    ++drawn;
+    if (is_one) wanted.push_back(p);
   }
-  return places;
+  return wanted;
+}
+
+std::vector<Eigen::Vector2d> DrawCandidates(std::span<const slam::Polygon2> area,
+                                            std::span<const Edge> edges, const CandidateOptions& options,
+                                            std::uint64_t seed) {
+  return DrawWantedCandidates(area, edges, options, seed, options.count,
+                              [&](const Eigen::Vector2d& p) { return IsWithin(area, p); });
 }
 
 }  // namespace ariadne::planning

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "planning/view/edge_set.h"
 #include "slam/base/options.h"
@@ -33,5 +34,14 @@ struct CandidateOptions {
 std::vector<Eigen::Vector2d> DrawCandidates(std::span<const slam::Polygon2> area,
                                             std::span<const Edge> edges, const CandidateOptions& options,
                                             std::uint64_t seed);
+
+/// Whether a place is wanted; no place outside of the area is.
+using IsWantedCandidate = std::function<bool(const Eigen::Vector2d& p_map)>;
+
+/// Of the places that DrawCandidates gives the first `count` that are wanted, without drawing the others.
+std::vector<Eigen::Vector2d> DrawWantedCandidates(std::span<const slam::Polygon2> area,
+                                                  std::span<const Edge> edges,
+                                                  const CandidateOptions& options, std::uint64_t seed,
+                                                  int count, const IsWantedCandidate& is_wanted);
 
 }  // namespace ariadne::planning

@@ -86,7 +86,8 @@ class Decision {
         looked_at_(looked_at),
         way_cost_(way_cost) {}
 
-  std::vector<Eigen::Vector2d> DrawPlaces() const;
+  /// Candidates that the robot can get to.
+  std::vector<Eigen::Vector2d> DrawReachable() const;
   /// Uniformly from a disc.
   std::vector<Eigen::Vector2d> DrawAround(const Eigen::Vector2d& center) const;
   /// Those of the places that the robot can get to, up to a number.
@@ -97,6 +98,9 @@ class Decision {
   std::optional<std::size_t> Choose(const Judged& judged) const;
 
  private:
+  bool IsReachable(const Eigen::Vector2d& p_map) const {
+    return scene_.free.IsFree(p_map, ViewClearance(options_)) && std::isfinite(scene_.ways.To(p_map));
+  }
   Eigen::Vector2d StartWithRoom(std::span<const Eigen::Vector2d> places) const;
   std::vector<double> Ways(std::span<const Eigen::Vector2d> places) const;
   std::vector<RayHit> Cast(const Eigen::Vector2d& p_map) const;
@@ -110,15 +114,18 @@ class Decision {
   const WayCost& way_cost_;
 };
 
-std::vector<Eigen::Vector2d> Decision::DrawPlaces() const {
+std::vector<Eigen::Vector2d> Decision::DrawReachable() const {
+  const int count = options_.candidates.count;
   if (options_.sampler != CandidateSampler::kUniform) {
     OmplCandidateOptions ompl = options_.ompl;
-    ompl.count = options_.candidates.count;
-    return DrawOmplCandidates(scene_.free, options_.robot_radius, options_.sampler, ompl, seed_);
+    ompl.count = count;
+    return Reachable(DrawOmplCandidates(scene_.free, options_.robot_radius, options_.sampler, ompl, seed_),
+                     count);
   }
   CandidateOptions more = options_.candidates;
   more.count *= 3;  // some keep too little distance from walls, or cannot be reached
-  return DrawCandidates(scene_.area, scene_.edges, more, seed_);
+  return DrawWantedCandidates(scene_.area, scene_.edges, more, seed_, count,
+                              [&](const Eigen::Vector2d& p_map) { return IsReachable(p_map); });
 }
 
 std::vector<Eigen::Vector2d> Decision::DrawAround(const Eigen::Vector2d& center) const {
@@ -133,12 +140,10 @@ std::vector<Eigen::Vector2d> Decision::DrawAround(const Eigen::Vector2d& center)
 }
 
 std::vector<Eigen::Vector2d> Decision::Reachable(std::span<const Eigen::Vector2d> places, int count) const {
-  const double clearance = ViewClearance(options_);
   std::vector<Eigen::Vector2d> reachable;
   for (const Eigen::Vector2d& p_map : places) {
     if (reachable.size() == static_cast<std::size_t>(count)) break;
-    if (!scene_.free.IsFree(p_map, clearance)) continue;
-    if (std::isfinite(scene_.ways.To(p_map))) reachable.push_back(p_map);
+    if (IsReachable(p_map)) reachable.push_back(p_map);
   }
   return reachable;
 }
@@ -177,10 +182,9 @@ std::vector<RayHit> Decision::Cast(const Eigen::Vector2d& p_map) const {
 }
 
 View Decision::Look(const Eigen::Vector2d& p_map, double way, std::span<const RayHit> hits) const {
-  const ViewGain best = scene_.gain.Of(hits);
-  View view{p_map, best.direction, best.gain, best.area, best.overlap, way, 0.0, 0.0};
-  if (way_cost_) view.distance = way_cost_(scene_.ways.PathTo(p_map), view);
-  view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot_.angle));
+  View view = JudgedView(p_map, scene_.gain.Of(hits), way, T_map_robot_, options_.view);
+  if (!way_cost_) return view;
+  view.distance = way_cost_(scene_.ways.PathTo(p_map), view);
   view.value = std::exp(LogValue(view, options_.view));
   return view;
 }
@@ -276,7 +280,7 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
   ViewPlan plan;
   Judged judged;
   if (!by_frontier) {
-    judged = decision.Judge(decision.Reachable(decision.DrawPlaces(), options.candidates.count));
+    judged = decision.Judge(decision.DrawReachable());
     plan.chosen = decision.Choose(judged);
     if (plan.chosen && options.refined > 0 && options.policy != ViewPolicy::kRandom) {
       const auto around = decision.DrawAround(judged.views[*plan.chosen].p_map);
@@ -284,9 +288,10 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
       plan.chosen = decision.Choose(judged);
     }
   }
-  if (!plan.chosen && (by_frontier || options.second_look > 0)) {
+  for (const FrontierSide side : {FrontierSide::kBefore, FrontierSide::kAside}) {
+    if (plan.chosen || !(by_frontier || options.second_look > 0)) break;
     plan.second_look = !by_frontier;
-    const auto places = FrontierPlaces(scene.edges, scene.free, ViewClearance(options));
+    const auto places = FrontierPlaces(scene.edges, scene.free, ViewClearance(options), side);
     const int count = by_frontier ? options.candidates.count : options.second_look;
     Judged before_edges = decision.Judge(decision.Reachable(places, count));
     plan.chosen = decision.Choose(before_edges);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planning/view/best_of.h"
 #include "slam/base/random.h"
 
 namespace ariadne::planning {
@@ -11,17 +12,6 @@ namespace {
 constexpr double kPotentialReach = 5.0;  // lambda = 0.2 / m (Gonzalez-Banos, Latombe 2002) [m]
 constexpr std::size_t kPairs = 20;       // views of which pairs are looked at
 constexpr double kRasterShare = 0.99;    // of a straight line, that no way falls below
-
-template <typename Value>
-std::size_t BestOf(std::span<const std::size_t> among, const Value& value) {
-  std::size_t best = among.front();
-  double highest = value(best);
-  for (const std::size_t i : among.subspan(1)) {
-    const double one = value(i);
-    if (one > highest) best = i, highest = one;
-  }
-  return best;
-}
 
 /// The gain by pieces of `second` that `first` does not show.
 double FurtherGain(const std::vector<EdgePiece>& first, const std::vector<EdgePiece>& second) {
@@ -32,10 +22,6 @@ double FurtherGain(const std::vector<EdgePiece>& first, const std::vector<EdgePi
     gain += at == first.end() || at->number != piece.number ? piece.gain : 0.0;
   }
   return gain;
-}
-
-double GainOf(const View& view, const NextViewOptions& options) {
-  return options.gain.measure == GainMeasure::kArea ? view.area : view.gain;
 }
 
 std::size_t ChooseOfTwoSteps(const ViewChoice& choice, const NextViewOptions& options) {

@@ -46,6 +46,7 @@ TEST(Floor, IsTheCutThroughTheWalls) {
   EXPECT_NEAR(RangeOf(floor, {2.0, 1.0}, std::numbers::pi), 2.0 - 0.06, 1e-3) << "walls are 12 cm thick";
   EXPECT_NEAR(RangeOf(floor, {2.0, 1.0}, 0.0), 4.0 - 0.06, 1e-3);
   EXPECT_NEAR(RangeOf(floor, {2.0, 2.45}, 0.0), 10.0 - 0.06, 1e-3) << "through the door";
+  EXPECT_TRUE(floor.enclosed) << "by the yard's wall";
   EXPECT_THAT(ErrorOf([] { CutFloor(TwoRoomPlan(), 50.0); }), testing::HasSubstr("nothing stands"));
 }
 
@@ -123,6 +124,7 @@ TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
   // A gap in the wall behind which there is nothing at all: it would promise the same gain for ever.
   Floor floor = TwoRoomFloor();
   std::erase_if(floor.faces, [](const FloorWall& f) { return std::min(f.from.x(), f.to.x()) > 11.0; });
+  floor.enclosed = false;
   const std::vector<Vector2d> reachable = [&] {
     std::vector<Vector2d> within = ReachableFloor(TwoRoomFloor(), {});
     return within;
@@ -136,6 +138,22 @@ TEST(Explore, EndsWithEveryPolicyAlsoWhereAWindowShowsNothing) {
     EXPECT_TRUE(exploration.ended) << EnumNames<planning::ViewPolicy>::value[i];
     EXPECT_GT(exploration.steps.back().covered, 0.97) << EnumNames<planning::ViewPolicy>::value[i];
   }
+}
+
+TEST(Explore, SeesAllOfAYardWiderThanItsRange) {
+  Floor floor = CutFloor(drivers::ParsePlan(R"({"name": "yard", "unit": "m", "start": [20, 20],
+    "area": 1600, "walls": [[0, 0, 40, 0], [40, 0, 40, 40], [40, 40, 0, 40], [0, 40, 0, 0]],
+    "doors": [], "spaces": []})",
+                                            "yard.json"),
+                         1.5);
+  const FloorCover cover = FindFloorCover(floor, ReachableFloor(floor, {.resolution = 0.5}), {},
+                                          {.sample_spacing = 0.5}, Parallel(1));
+  const Exploration exploration = Explore(floor, cover, floor.T_map_start, {}, 1);
+  EXPECT_TRUE(exploration.ended);
+  EXPECT_EQ(exploration.steps.front().covered, 0.0) << "15 m around the start there is nothing";
+  EXPECT_GT(exploration.steps.back().covered, 0.99);
+  floor.enclosed = false;
+  EXPECT_LT(Explore(floor, cover, floor.T_map_start, {}, 1).steps.back().covered, 0.5);
 }
 
 TEST(Explore, RepeatsItselfAndDiffersBySeed) {

@@ -203,6 +203,47 @@ TEST(SlicePolygon, LinesThatShowNothingAreLeftOut) {
   EXPECT_TRUE(SlicePolygon(useless, {}).empty());
 }
 
+SlicePolygonOptions FreeUpTo(double range, double field_of_view) {
+  SlicePolygonOptions options;
+  if (field_of_view >= 360.0) options.closure = PolygonClosure::kChord;
+  options.free_range = range;
+  options.field_of_view = field_of_view;
+  return options;
+}
+
+TEST(SlicePolygon, WithoutLinesIsWhatIsInRange) {
+  const slam::Pose2 T_map_scan{0.7, {3.0, -2.0}};
+  for (const double degrees : {90.0, 180.0, 270.0, 360.0}) {
+    const LabelledPolygon polygon = SlicePolygon({}, T_map_scan, FreeUpTo(10.0, degrees));
+    RequireSimple(polygon);
+    EXPECT_EQ(SeenLength(polygon), 0.0);
+    const double sector = degrees / 360.0 * kPi * 100.0;
+    EXPECT_NEAR(slam::Area(ToPolygon2(polygon)), sector, 2e-3 * sector) << degrees;
+    EXPECT_TRUE(Contains(polygon, T_map_scan * Vector2d(9.9, 0.0)));
+    EXPECT_EQ(Contains(polygon, T_map_scan * Vector2d(-9.9, 0.1)), degrees > 350.0);
+  }
+}
+
+TEST(SlicePolygon, IsFreeBesideLinesUpToTheRange) {
+  const std::vector<SliceLine> wall{{{4.0, -1.0}, {4.0, 1.0}}};
+  for (const double degrees : {180.0, 360.0}) {
+    const LabelledPolygon polygon = SlicePolygon(wall, {}, FreeUpTo(10.0, degrees));
+    RequireSimple(polygon);
+    EXPECT_NEAR(SeenLength(polygon), 2.0, 1e-9);
+    EXPECT_FALSE(Contains(polygon, {4.1, 0.0})) << "behind the wall";
+    EXPECT_TRUE(Contains(polygon, {9.0, 3.0}) && Contains(polygon, {0.1, -9.8}));
+    EXPECT_EQ(Contains(polygon, {-5.0, 0.0}), degrees > 350.0);
+  }
+  EXPECT_FALSE(Contains(SlicePolygon(wall, {}), {9.0, 3.0})) << "the paper's";
+}
+
+TEST(SlicePolygon, LetsNothingThroughACrack) {
+  const std::vector<SliceLine> walls{{{4.0, -1.0}, {4.0, 0.0}}, {{4.0, 0.01}, {4.0, 1.0}}};
+  EXPECT_FALSE(Contains(SlicePolygon(walls, {}, FreeUpTo(10.0, 180.0)), {6.0, 0.0075})) << "2.5 mrad";
+  const std::vector<SliceLine> gap{{{4.0, -1.0}, {4.0, 0.0}}, {{4.0, 0.1}, {4.0, 1.0}}};
+  EXPECT_TRUE(Contains(SlicePolygon(gap, {}, FreeUpTo(10.0, 180.0)), {6.0, 0.075})) << "25 mrad";
+}
+
 TEST(SlicePolygon, DamagedInputIsAnError) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const std::vector<SliceLine> lines{{{1.0, 0.0}, {1.0, 1.0}}, {{1.0, nan}, {1.0, 1.0}}};

@@ -114,6 +114,23 @@ TEST(Candidates, LieWithinAlsoWhatTheGridRounds) {
   for (const Eigen::Vector2d& p : places) EXPECT_TRUE(slam::Contains(area[0], p)) << p.transpose();
 }
 
+TEST(Candidates, ThatAreWantedAreTheFirstOfAll) {
+  const std::array area{Hall()};
+  const std::vector<Edge> edges = LabelledHall(3);
+  CandidateOptions options;
+  options.count = 300;
+  options.wall_clearance = 0.3;
+  const auto is_wanted = [&](const Eigen::Vector2d& p) {
+    return p.x() < 4.0 && slam::Contains(area[0], p);
+  };
+  Places wanted = DrawCandidates(area, edges, options, 1);
+  std::erase_if(wanted, [&](const Eigen::Vector2d& p) { return !is_wanted(p); });
+  ASSERT_GT(wanted.size(), 40u);
+  EXPECT_EQ(DrawWantedCandidates(area, edges, options, 1, 300, is_wanted), wanted) << "all that there are";
+  wanted.resize(20);
+  EXPECT_EQ(DrawWantedCandidates(area, edges, options, 1, 20, is_wanted), wanted);
+}
+
 TEST(Candidates, FollowTheSeed) {
   const std::array area{Hall()};
   EXPECT_EQ(DrawCandidates(area, {}, {}, 5), DrawCandidates(area, {}, {}, 5));

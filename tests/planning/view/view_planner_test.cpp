@@ -136,6 +136,21 @@ TEST(ViewPlanner, TakesASecondLookBeforeItEnds) {
             NextViewStatus::kNoGain);
 }
 
+TEST(ViewPlanner, LooksAsideOfAnEdgeAcrossACorridor) {
+  // A corridor of 0.84 m, known up to a slanted edge: straight before that there is only wall.
+  const LabelledRing corridor{{{0.0, 0.0}, true},  {{16.9, 0.0}, false}, {{12.0, 0.84}, true},
+                              {{6.0, 0.84}, true}, {{6.0, 9.0}, true},   {{0.0, 9.0}, true}};
+  ViewPlannerOptions options;
+  options.candidates.count = 1;  // the corridor is a tenth of all
+  options.refined = 0;
+  options.view.min_gain = 20;
+  const ViewPlan plan =
+      PlanNextView(std::vector<LabelledPolygon>{{corridor, {}}}, {0.0, {2.0, 5.0}}, options, 1);
+  ASSERT_EQ(plan.status, NextViewStatus::kFound);
+  EXPECT_TRUE(plan.second_look);
+  EXPECT_GT(plan.views[*plan.chosen].p_map.x(), 8.0) << "in the corridor";
+}
+
 TEST(ViewPlanner, EndsWhereAllIsSeen) {
   std::vector<LabelledPolygon> area = TwoRooms();
   for (LabelledCorner& corner : area[0].outer) corner.seen = true;
