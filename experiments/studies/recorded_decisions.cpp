@@ -37,7 +37,7 @@ Json RecordedDecisions::Recorded(const std::string& file) const {
   const std::filesystem::path path = run_ / file;
   if (!std::filesystem::exists(path)) return nullptr;
   std::ifstream in = slam::OpenForReading(path);
-  const Json json = Json::parse(in, nullptr, false);
+  Json json = Json::parse(in, nullptr, false);
   if (!json.is_object()) Fail("{}: cannot be read; it is no JSON of a run", path.string());
   return json;
 }

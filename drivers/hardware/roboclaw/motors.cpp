@@ -113,7 +113,7 @@ std::optional<Bytes> Motors::TryAsk(Code code, double give_up) {
     if (i > 0 && (halting_ || (turning_ && line_->Now() + kPacketPause >= stale))) HaltUnheard();
     if (i > 0) Pause();
     const double deadline = turning_ ? std::min(Deadline(size), stale) : Deadline(size);
-    const std::optional<Bytes> data = Exchange(code, request, deadline);
+    std::optional<Bytes> data = Exchange(code, request, deadline);
     if (!data) continue;
     if (std::exchange(halting_, false)) Tell(Code::kSpeedsWithAcceleration, HaltData());
     return data;
