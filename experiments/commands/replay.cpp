@@ -55,7 +55,7 @@ void AddReplayCommand(CLI::App& app, int& status) {
       "Options are those of the run's config.yaml; --set asks what others would have decided.\n"
       "Example:\n"
       "  ariadne replay results/trial\n"
-      "  ariadne replay results/trial/lines-2.log --set mission.planner.travel_cost=0.2\n"
+      "  ariadne replay results/trial/lines-2.log --set mission.planner.min_opening=0.5\n"
       "Exit status: 0 if all was done and decided as it was; 1 for an error, or if anything differs, "
       "which\n"
       "is printed with what was recorded; 2 for wrong arguments.");
