@@ -58,6 +58,7 @@ int Main(int argc, char** argv) {
   ariadne::experiments::AddViewCommand(app);
   ariadne::experiments::AddDevicesCommand(app, status);
   ariadne::experiments::AddLogCommand(app);
+  ariadne::experiments::AddReplayCommand(app, status);
   ariadne::experiments::AddCalibrateCommand(app);
   ariadne::experiments::AddCheckCommand(app, status);
   try {

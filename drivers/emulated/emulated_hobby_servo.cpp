@@ -53,6 +53,7 @@ void EmulatedHobbyServo::Move(double time) {
       position_ += std::clamp(wanted, -options_.fastest * seconds, options_.fastest * seconds);
     }
     now_ = end;
+    memory_.Remember(now_, position_);
     if (now_ < next_step_) continue;
     next_step_ += kPulseStep;
     if (target_ > 0.0) StepPulse();

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "drivers/emulated/emulated_device.h"
+#include "drivers/emulated/position_memory.h"
 #include "drivers/hardware/hobby_servo/maestro.h"
 #include "slam/base/options.h"
 
@@ -45,6 +46,8 @@ class EmulatedHobbyServo : public EmulatedDevice {
   /// Where the servo is, and the pulse that it gets, 0 for none [us].
   double position() const { return position_; }
   double pulse() const { return pulse_; }
+  /// And where the servo was a moment before, within the last second [us].
+  double PositionAt(double time) const { return memory_.At(time, position_); }
 
   /// The servo is held: it follows no pulse, and nobody is told.
   void SetStuck(bool stuck) { stuck_ = stuck; }
@@ -58,7 +61,8 @@ class EmulatedHobbyServo : public EmulatedDevice {
 
   EmulatedHobbyServoOptions options_;
   hobby_servo::RequestDecoder decoder_;
-  double position_;            // [us]
+  double position_;  // [us]
+  PositionMemory memory_;
   double pulse_ = 0.0;         // [us]
   double rate_ = 0.0;          // of the pulse [us/s]
   double target_ = 0.0;        // [us]

@@ -55,12 +55,18 @@ void EmulatedLine::Arrive(double time, std::uint8_t byte) {
   const LineFaults::Passed passed = faults_.Pass(byte, time, false);
   if (passed.delay > 0.0) held_until_ = time + passed.delay;
   if (passed.copies > 0) last_arrival_ = std::max({last_arrival_, time, held_until_});
-  for (int i = 0; i < passed.copies; ++i) arrivals_.push_back({last_arrival_, passed.byte});
+  for (int i = 0; i < passed.copies; ++i) {
+    if (arrivals_.size() < options_.buffer) {
+      arrivals_.push_back({last_arrival_, passed.byte});
+    } else {
+      ++overrun_;
+    }
+  }
 }
 
 Bytes EmulatedLine::TakeArrived() {
   Bytes bytes;
-  while (!arrivals_.empty() && arrivals_.front().time <= time_->now) {
+  while (!arrivals_.empty() && arrivals_.front().time <= time_->now && bytes.size() < options_.read_size) {
     bytes.push_back(arrivals_.front().byte);
     arrivals_.pop_front();
   }

@@ -19,6 +19,8 @@ struct VirtualTime {
 struct EmulatedLineOptions {
   std::string name = "an emulated line";
   double chunk_time = 0.001;          // what arrives within it is read at once, as from an adapter [s]
+  std::size_t buffer = 1U << 20U;     // of the host, beyond which what arrives unread is lost [B]
+  std::size_t read_size = 4096;       // that one read takes at most, as from a terminal [B]
   std::uint64_t seed = 1;             // of the noise that bytes of another rate become
   std::shared_ptr<VirtualTime> time;  // of all lines of a host; none: its own
 };
@@ -32,6 +34,8 @@ class EmulatedLine : public ByteStream {
   /// Faults that will happen, in any order.
   void Inject(const LineFault& fault) { faults_.Inject(fault); }
   std::size_t pending_faults() const { return faults_.pending(); }
+  /// Bytes that were lost because the host did not read.
+  std::uint64_t overrun() const { return overrun_; }
 
   std::string name() const override { return options_.name; }
   double Now() const override { return time_->now; }
@@ -72,6 +76,7 @@ class EmulatedLine : public ByteStream {
   std::deque<Arrival> arrivals_;
   std::deque<Request> requests_;
   LineFaults faults_;
+  std::uint64_t overrun_ = 0;
   double held_until_ = 0.0;
   double last_arrival_ = 0.0;
   double sent_until_ = 0.0;

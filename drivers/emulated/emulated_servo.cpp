@@ -75,27 +75,6 @@ void EmulatedServo::Step(double seconds) {
   }
 }
 
-/// Called after each step. What stood still is one span.
-void EmulatedServo::Remember() {
-  constexpr double kRemembered = 1.0;  // [s]
-  const std::size_t count = past_.size();
-  const bool stands =
-      count >= 2 && past_[count - 1].position == position_ && past_[count - 2].position == position_;
-  if (stands) past_.pop_back();
-  past_.push_back({now_, position_});
-  while (past_.size() > 2 && past_[1].time < now_ - kRemembered) past_.pop_front();
-}
-
-double EmulatedServo::PositionAt(double time) const {
-  const auto after = std::lower_bound(past_.begin(), past_.end(), time,
-                                      [](const Past& past, double t) { return past.time < t; });
-  if (after == past_.end()) return position_;
-  if (after == past_.begin()) return after->position;
-  const Past& before = *(after - 1);
-  const double share = (time - before.time) / (after->time - before.time);
-  return before.position + share * (after->position - before.position);
-}
-
 void EmulatedServo::Move(double time) {
   while (now_ < time) {
     const double seconds = std::min(kStep, time - now_);
@@ -105,12 +84,12 @@ void EmulatedServo::Move(double time) {
     if (ByteAt(Place::kTorqueEnable) == 0 || standing) {
       velocity_ = 0.0;
       now_ = std::max(now_, time);
-      Remember();
+      memory_.Remember(now_, position_);
       continue;
     }
     if (!stuck_) {
       Step(seconds);
-      Remember();
+      memory_.Remember(now_, position_);
       continue;
     }
     velocity_ = 0.0;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <array>
-#include <deque>
 #include <vector>
 
 #include "drivers/emulated/emulated_device.h"
+#include "drivers/emulated/position_memory.h"
 #include "drivers/hardware/dynamixel/packet.h"
 #include "drivers/hardware/dynamixel/servo.h"
 
@@ -46,7 +46,7 @@ class EmulatedServo : public EmulatedDevice {
   /// Where it is [turns], at the latest time that it was told.
   double position() const { return position_; }
   /// And where it was a moment before, within the last second.
-  double PositionAt(double time) const;
+  double PositionAt(double time) const { return memory_.At(time, position_); }
 
   /// Something holds the mount: it does not move, and reports an overload after a second of trying.
   void SetStuck(bool stuck) { stuck_ = stuck; }
@@ -58,7 +58,6 @@ class EmulatedServo : public EmulatedDevice {
   void SetDefaults();
   void Move(double time);
   void Step(double seconds);
-  void Remember();
   void Execute(const dynamixel::Packet& packet, double time);
   std::uint8_t WriteTable(std::size_t address, ByteView data);
   void SyncWrite(ByteView parameters);
@@ -67,12 +66,8 @@ class EmulatedServo : public EmulatedDevice {
   EmulatedServoOptions options_;
   dynamixel::PacketDecoder decoder_;
   std::array<std::uint8_t, 256> table_{};
-  struct Past {
-    double time;      // [s]
-    double position;  // [turns]
-  };
-  double position_;        // [turns]
-  std::deque<Past> past_;  // ascending; it went straight from one to the next
+  double position_;  // [turns]
+  PositionMemory memory_;
   double velocity_ = 0.0;  // [turns/s]
   double now_ = 0.0;       // [s]
   double ready_at_ = 0.0;  // [s]

@@ -23,9 +23,9 @@ Bytes ContentOfFile(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-LineLogDecoder DecoderOf(ByteView content, const fs::path& path) {
+std::unique_ptr<LineLogDecoder> DecoderOf(ByteView content, const fs::path& path) {
   try {
-    return LineLogDecoder(content);
+    return std::make_unique<LineLogDecoder>(content);
   } catch (const Error& error) {
     Fail("{}: {}", path.string(), error.what());
   }
@@ -87,25 +87,48 @@ void LineLogWriter::Add(std::uint8_t line, const LineRecord& record) {
     bytes = encoder_.Add({line, record});
   }
   Put(bytes);
+  last_time_ = record.time;
   failed_ = false;
 }
 
-LineLogFiles VisitLineLog(const fs::path& name, const std::function<void(const LoggedRecord&)>& visit) {
-  LineLogFiles log;
-  for (bool last = false; !last; ++log.files) {
-    const fs::path path = LineLogFile(name, log.files);
-    const Bytes content = ContentOfFile(path);
-    last = !fs::exists(LineLogFile(name, log.files + 1));
-    LineLogDecoder decoder = DecoderOf(content, path);
-    while (const std::optional<LoggedRecord> logged = decoder.Next()) {
-      visit(*logged);
-      ++log.records;
-    }
-    log.size += content.size();
-    log.torn = content.size() - decoder.position();
-    if (log.torn > 0 && !last) Fail("{}: is damaged at byte {}", path.string(), decoder.position());
+void LineLogWriter::Note(std::string_view text) {
+  Add(kNotesLine, {LineRecord::Kind::kNote, last_time_, Bytes(text.begin(), text.end())});
+}
+
+LineLogReader::LineLogReader(fs::path name) : name_(std::move(name)) { Open(); }
+
+void LineLogReader::Open() {
+  const fs::path path = LineLogFile(name_, log_.files);
+  content_ = ContentOfFile(path);
+  decoder_ = DecoderOf(content_, path);
+}
+
+void LineLogReader::Close() {
+  const bool last = !fs::exists(LineLogFile(name_, log_.files + 1));
+  log_.size += content_.size();
+  log_.torn = content_.size() - decoder_->position();
+  if (log_.torn > 0 && !last) {
+    Fail("{}: is damaged at byte {}", LineLogFile(name_, log_.files).string(), decoder_->position());
   }
-  return log;
+  ++log_.files;
+  decoder_.reset();
+  if (!last) Open();
+}
+
+std::optional<LoggedRecord> LineLogReader::Next() {
+  for (; decoder_; Close()) {
+    if (std::optional<LoggedRecord> logged = decoder_->Next()) {
+      ++log_.records;
+      return logged;
+    }
+  }
+  return std::nullopt;
+}
+
+LineLogFiles VisitLineLog(const fs::path& name, const std::function<void(const LoggedRecord&)>& visit) {
+  LineLogReader reader(name);
+  while (const std::optional<LoggedRecord> logged = reader.Next()) visit(*logged);
+  return reader.files();
 }
 
 std::map<std::uint8_t, std::vector<LineRecord>> ReadLineLog(const fs::path& name) {

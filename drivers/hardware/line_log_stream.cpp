@@ -50,7 +50,7 @@ Bytes PlainRecord(const LoggedRecord& logged) {
 
 std::optional<LoggedRecord> RecordIn(ByteView plain) {
   if (plain.size() < kRecordHead) return std::nullopt;
-  if (plain[1] > static_cast<std::uint8_t>(LineRecord::Kind::kBaud)) return std::nullopt;
+  if (plain[1] > static_cast<std::uint8_t>(LineRecord::Kind::kNote)) return std::nullopt;
   LoggedRecord logged;
   logged.line = plain[0];
   logged.record.kind = static_cast<LineRecord::Kind>(plain[1]);

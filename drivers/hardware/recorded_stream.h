@@ -2,27 +2,33 @@
 
 #include <functional>
 #include <memory>
-#include <vector>
 
 #include "drivers/hardware/byte_stream.h"
+#include "slam/base/error.h"
 
 namespace ariadne::drivers {
 
-/// One call to a line, and when it returned.
+/// One call to a line, and when it returned; or a note between calls, which is of no line.
 struct LineRecord {
-  enum class Kind : std::uint8_t { kOpen, kRead, kWrite, kBaud };
+  enum class Kind : std::uint8_t { kOpen, kRead, kWrite, kBaud, kError, kNote };
 
   Kind kind = Kind::kRead;
   double time = 0.0;  // [s], of the line
-  Bytes bytes;        // read (perhaps none) or written; of kOpen the line's name
+  Bytes bytes;        // read (perhaps none) or written; the name that was opened, the error, or the note
   int baud = 0;       // of kOpen and kBaud
 
   bool operator==(const LineRecord&) const = default;
 };
 
-/// A line whose calls are handed to `record` as they return, after one that says that it was opened. Its
-/// clock shows the time of the last one and goes on with the next, so that who talks over it decides by
-/// nothing that is not recorded.
+/// What the bytes of a record say, of those that are text.
+inline std::string TextOf(const LineRecord& record) { return {record.bytes.begin(), record.bytes.end()}; }
+
+/// For a sentence: "read", "written 80 5A", "set to 9600 baud".
+std::string Describe(const LineRecord& record);
+
+/// A line whose calls are handed to `record` as they return or throw, after one that says that it was
+/// opened. Its clock shows the time of the last one and goes on with the next, so that who talks over it
+/// decides by nothing that is not recorded.
 class RecordingStream : public ByteStream {
  public:
   RecordingStream(std::unique_ptr<ByteStream> line, std::function<void(const LineRecord&)> record);
@@ -35,36 +41,13 @@ class RecordingStream : public ByteStream {
   int baud() const override { return line_->baud(); }
 
  private:
+  template <typename Call>
+  void Recorded(LineRecord record, const Call& call);
   void Record(LineRecord record);
 
   std::unique_ptr<ByteStream> line_;
   std::function<void(const LineRecord&)> record_;
   double now_;
-};
-
-/// The same calls once more, from their records. Error where the caller does anything else than when it was
-/// recorded, or more, or where the first record is of no opening.
-class RecordedStream : public ByteStream {
- public:
-  explicit RecordedStream(std::vector<LineRecord> records);
-
-  std::string name() const override { return name_; }
-  double Now() const override { return now_; }
-  Bytes Read(double deadline) override;
-  void Write(ByteView bytes) override;
-  void SetBaud(int baud) override;
-  int baud() const override { return baud_; }
-
-  std::size_t left() const { return records_.size() - next_; }
-
- private:
-  const LineRecord& Take(LineRecord::Kind kind);
-
-  std::string name_;
-  std::vector<LineRecord> records_;
-  std::size_t next_ = 0;
-  double now_ = 0.0;
-  int baud_ = 9600;
 };
 
 }  // namespace ariadne::drivers

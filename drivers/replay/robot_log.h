@@ -54,6 +54,11 @@ class RobotLog {
   /// Reads a record from the file; they are not kept in memory.
   RobotCall Read(std::size_t i);
 
+  /// Forgets the records behind the first `count`; the file keeps them.
+  void Truncate(std::size_t count) {
+    if (count < records_.size()) records_.resize(count);
+  }
+
   const std::string& name() const { return name_; }
   /// The byte behind the last whole record.
   std::uint64_t end() const { return end_; }

@@ -22,6 +22,7 @@ void AddPlanCommand(CLI::App& app);
 void AddExportCommand(CLI::App& app);
 void AddDevicesCommand(CLI::App& app, int& status);
 void AddLogCommand(CLI::App& app);
+void AddReplayCommand(CLI::App& app, int& status);
 void AddCalibrateCommand(CLI::App& app);
 void AddCheckCommand(CLI::App& app, int& status);
 

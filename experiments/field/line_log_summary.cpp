@@ -20,8 +20,7 @@ struct PassingLine {
   void Take(const LineRecord& record) {
     if (summary.records++ == 0) summary.first = record.time;
     summary.last = record.time;
-    if (record.kind == LineRecord::Kind::kOpen)
-      summary.name.assign(record.bytes.begin(), record.bytes.end());
+    if (record.kind == LineRecord::Kind::kOpen) summary.name = TextOf(record);
     if (record.baud > 0) summary.rates.insert(record.baud);
     if (record.kind == LineRecord::Kind::kRead) summary.bytes_read += record.bytes.size();
     if (record.kind == LineRecord::Kind::kWrite) summary.bytes_written += record.bytes.size();
@@ -40,8 +39,13 @@ LineLogSummary SummarizeLineLog(const std::filesystem::path& name) {
   std::map<std::uint8_t, PassingLine> lines;
   LineLogSummary summary;
   summary.name = name;
-  summary.files = drivers::VisitLineLog(
-      name, [&](const drivers::LoggedRecord& logged) { lines[logged.line].Take(logged.record); });
+  summary.files = drivers::VisitLineLog(name, [&](const drivers::LoggedRecord& logged) {
+    if (logged.record.kind == LineRecord::Kind::kNote) {
+      summary.notes.push_back(fmt::format("{:.3f} s: {}", logged.record.time, TextOf(logged.record)));
+    } else {
+      lines[logged.line].Take(logged.record);
+    }
+  });
   for (auto& [number, line] : lines) {
     line.summary.line = number;
     line.summary.seen = line.guess.Best();
@@ -68,6 +72,7 @@ std::string ToText(const LineLogSummary& summary) {
                           std::to_string(line.seen.sent), std::to_string(line.seen.telegrams),
                           std::to_string(line.seen.bad)});
   }
+  for (const std::string& note : summary.notes) text += fmt::format("note at {}\n", note);
   return text + "\n" + ToText(table);
 }
 

@@ -27,6 +27,7 @@ struct LineLogSummary {
   std::filesystem::path name;
   drivers::LineLogFiles files;
   std::vector<LineSummary> lines;  // in the order of their numbers
+  std::vector<std::string> notes;  // with their times
 };
 
 /// Error where the log is damaged before its end.

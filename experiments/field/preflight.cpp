@@ -122,9 +122,9 @@ std::string Preflight::AskScanner() {
 }
 
 std::string Preflight::AskServo() {
-  drivers::dynamixel::Servo servo(Line(1), robot_.servo);
-  servo.Connect();
-  return fmt::format("model {}, at {:.3f} rad", servo.model(), servo.State().angle);
+  const std::unique_ptr<drivers::TiltMount> mount = drivers::MakeTiltMount(Line(1), robot_);
+  mount->Connect();
+  return mount->Describe();
 }
 
 std::string Preflight::AskMotors() {

@@ -98,7 +98,7 @@ class DeviceFaults {
       if (fault.kind == EmulatedFault::Kind::kSlip)
         slip[static_cast<std::size_t>(fault.wheel)] = fault.share;
     }
-    robot_.servo().SetStuck(stuck);
+    robot_.SetStuck(stuck);
     for (int wheel = 0; wheel < 2; ++wheel) robot_.SetSlip(wheel, slip[static_cast<std::size_t>(wheel)]);
   }
 
@@ -126,7 +126,7 @@ EmulationEnd Emulate(const std::string& world, const EmulateOptions& options,
   drivers::EmulatedRobot robot(scene, options.robot.base, options.robot.ais, options.emulated,
                                static_cast<std::uint64_t>(options.seed));
   PtyServer scanner(robot.scanner());
-  PtyServer servo(robot.servo(), scanner), motors(robot.motors(), scanner);
+  PtyServer servo(robot.mount(), scanner), motors(robot.motors(), scanner);
   const std::array<PtyServer*, 3> servers{&scanner, &servo, &motors};
   robot.SetCatchUp([&servo, &motors](double time) {
     servo.CatchUp(time);

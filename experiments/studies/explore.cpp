@@ -13,6 +13,7 @@
 #include "experiments/studies/explore_model.h"
 #include "experiments/studies/explore_pictures.h"
 #include "experiments/studies/explore_report.h"
+#include "experiments/studies/run_notes.h"
 #include "experiments/studies/unlogged_end.h"
 #include "slam/io/cloud_io.h"
 #include "slam/io/file.h"
@@ -77,12 +78,7 @@ MissionEvents EventsOf(const RunDirectory& run, ProgressDisplay& progress, drive
   };
   events.on_plan = [&robot, &steps](const PlannedDrive& drive, const Surroundings& around) {
     steps.OnPlan(drive, around);
-    if (drive.view) {
-      robot.Note(fmt::format("drive to ({:.3f}, {:.3f}) m for {} rays", drive.view->p_map.x(),
-                             drive.view->p_map.y(), drive.view->gain));
-    } else {
-      robot.Note("drive back");
-    }
+    robot.Note(NoteOf(drive));
   };
   return events;
 }
@@ -92,15 +88,9 @@ struct ExploreRun {
   const ExploreStudyOptions& options;
   const RunDirectory& run;
   ProgressDisplay& progress;
-  const std::function<bool()>& stop;
-  const std::function<bool(const PlannedDrive&)>& approve;
+  AskedPerson& person;
 
   std::uint64_t seed() const { return static_cast<std::uint64_t>(options.seed); }
-  MissionOptions mission() const {
-    MissionOptions mission = options.mission;
-    mission.mapper.icp.threads = options.threads;
-    return mission;
-  }
   ExploringRobotOptions robot() const {
     ExploringRobotOptions robot = options.robot;
     robot.threads = options.threads;
@@ -108,18 +98,33 @@ struct ExploreRun {
   }
 };
 
+/// What a person decides goes into the log of a robot's lines, as long as there is this robot.
+class NotesOfPerson {
+ public:
+  NotesOfPerson(AskedPerson& person, ExploredRobot& robot) : person_(person) {
+    person_.NoteTo([&robot](const std::string& text) { robot.Note(text); });
+  }
+  ~NotesOfPerson() { person_.NoteTo({}); }
+  NotesOfPerson(const NotesOfPerson&) = delete;
+  NotesOfPerson& operator=(const NotesOfPerson&) = delete;
+
+ private:
+  AskedPerson& person_;
+};
+
 /// Those of a mission that is driven: who refuses a drive ends the mission, and how it ends is not on the
 /// log. What the log has was approved before.
 MissionEvents DrivenEventsOf(const ExploreRun& exploration, LoggedExploration& logged, UnloggedEnd& driven,
                              StepKeeper& steps) {
   const auto rejected = std::make_shared<bool>(false);
+  AskedPerson& person = exploration.person;
   const std::function<bool()> stopped =
-      driven.Latched([rejected, &stop = exploration.stop] { return *rejected || (stop && stop()); });
+      driven.Latched([rejected, &person] { return *rejected || person.MustStop(); });
   MissionEvents events = EventsOf(exploration.run, exploration.progress, logged.robot(), steps, stopped);
-  if (!exploration.approve) return events;
-  events.approve = [rejected, stopped, &logged, &approve = exploration.approve](const PlannedDrive& drive) {
+  if (!person.approves_plans()) return events;
+  events.approve = [rejected, stopped, &logged, &person](const PlannedDrive& drive) {
     if (logged.IsReplayed()) return true;
-    *rejected = !approve(drive);
+    *rejected = !person.Approves(drive);
     return !stopped();
   };
   return events;
@@ -127,9 +132,10 @@ MissionEvents DrivenEventsOf(const ExploreRun& exploration, LoggedExploration& l
 
 /// In a world that is known to who looks on, who judges it.
 SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld& world) {
-  const auto& [options, run, progress, stop, approve] = exploration;
+  const auto& [options, run, progress, person] = exploration;
   const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
       exploration.robot(), options.hardware, options.emulated, world.scene, exploration.seed(), &run);
+  const NotesOfPerson notes(person, *robot);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);
@@ -140,7 +146,7 @@ SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld&
   };
   SimulatedMission mission =
       RunSimulatedMission({*robot->truth(), drivers::AisMounting(options.robot.ais).T_base_laser}, driven,
-                          world.floor, options.scanner, exploration.mission(), exploration.seed(),
+                          world.floor, options.scanner, MissionOf(exploration.options), exploration.seed(),
                           DrivenEventsOf(exploration, logged, driven, steps), on_true_stop);
   if (mission.mission.end != MissionEnd::kStopped) steps.OnEnd(mission.mission);
   return mission;
@@ -148,9 +154,12 @@ SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld&
 
 /// In a building that nobody knows.
 SimulatedMission ExploreForReal(const ExploreRun& exploration) {
-  const auto& [options, run, progress, stop, approve] = exploration;
-  const std::unique_ptr<ExploredRobot> robot = MakeExploredRobot(
-      exploration.robot(), options.hardware, options.emulated, nullptr, exploration.seed(), &run, stop);
+  const auto& [options, run, progress, person] = exploration;
+  AskedPerson& asked = person;
+  const std::unique_ptr<ExploredRobot> robot =
+      MakeExploredRobot(exploration.robot(), options.hardware, options.emulated, nullptr,
+                        exploration.seed(), &run, [&asked] { return asked.MustStop(); });
+  const NotesOfPerson notes(person, *robot);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());
   StepKeeper steps(run);
@@ -161,7 +170,7 @@ SimulatedMission ExploreForReal(const ExploreRun& exploration) {
     keep(at, map);
   };
   SimulatedMission mission;
-  mission.mission = RunMission(driven, exploration.mission(), exploration.seed(), events);
+  mission.mission = RunMission(driven, MissionOf(exploration.options), exploration.seed(), events);
   if (mission.mission.end != MissionEnd::kStopped) steps.OnEnd(mission.mission);
   return mission;
 }
@@ -169,9 +178,9 @@ SimulatedMission ExploreForReal(const ExploreRun& exploration) {
 /// The end of a run: the model, and the page.
 std::string FinishExploration(const ExploreRun& exploration, const SimulatedMission& mission,
                               const std::string& of, const std::string& text) {
-  const auto& [options, run, progress, stop, approve] = exploration;
+  const auto& [options, run, progress, person] = exploration;
   const std::size_t stops = mission.mission.stops.size();
-  const bool called_off = mission.mission.end == MissionEnd::kRejected && stop && stop();
+  const bool called_off = mission.mission.end == MissionEnd::kRejected && person.MustStop();
   if (mission.mission.end == MissionEnd::kStopped || called_off) {
     run.WriteProgress("stopped", stops, 0);
     return text + "stopped; --resume goes on from here\n";
@@ -185,6 +194,12 @@ std::string FinishExploration(const ExploreRun& exploration, const SimulatedMiss
 
 }  // namespace
 
+MissionOptions MissionOf(const ExploreStudyOptions& options) {
+  MissionOptions mission = options.mission;
+  mission.mapper.icp.threads = options.threads;
+  return mission;
+}
+
 void CheckExplore(const ExploreStudyOptions& options) {
   CheckOptions(options, "");
   if (options.robot.kind != RobotKind::kHardware) LoadExploreWorld(options);
@@ -194,7 +209,8 @@ std::string RunExplore(const ExploreStudyOptions& options, const RunDirectory& r
                        ProgressDisplay& progress, const std::function<bool()>& stop,
                        const std::function<bool(const PlannedDrive&)>& approve) {
   WriteManifest(run, {});
-  const ExploreRun exploration{options, run, progress, stop, approve};
+  AskedPerson person(stop, approve);
+  const ExploreRun exploration{options, run, progress, person};
   if (options.robot.kind == RobotKind::kHardware) {
     progress.Show("finding the devices");
     const SimulatedMission mission = ExploreForReal(exploration);

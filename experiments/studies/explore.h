@@ -53,6 +53,9 @@ struct ExploreStudyOptions {
   }
 };
 
+/// The mission, with the threads of the study.
+MissionOptions MissionOf(const ExploreStudyOptions& options);
+
 /// Error where the world cannot be read.
 void CheckExplore(const ExploreStudyOptions& options);
 

@@ -16,7 +16,6 @@ namespace {
 
 using slam::Pose2;
 
-constexpr double kDrivenStep = 0.05;                       // between places of the way that are kept [m]
 constexpr double kDashLength = 0.22, kDashGap = 0.14;      // of unseen edges [m]
 constexpr double kPlannedDash = 0.10, kPlannedGap = 0.10;  // of planned ways [m]
 constexpr Rgb kObstacleInk{206, 170, 110};
@@ -267,40 +266,9 @@ std::string StepsHtml(std::size_t count) {
       count - 1, StepName(count - 1));
 }
 
-void StepKeeper::OnStop(const MissionStop& stop, const MissionMap& map) {
-  step_ = {};
-  step_.index = map.size() - 1;
-  step_.registered = stop.registered;
-  for (std::size_t i = 0; i < map.size(); ++i) step_.T_map_stops.push_back(map.T_map_base(i));
-  for (const Pose2& pose : stop.driven_map) {
-    if (!driven_map_.empty() && (pose.translation - driven_map_.back()).norm() < kDrivenStep) continue;
-    step_.driven_map.push_back(pose.translation);
-    driven_map_.push_back(pose.translation);
-  }
-  step_.area = map.Area(0);
-  Write();
-}
-
-void StepKeeper::OnPlan(const PlannedDrive& drive, const Surroundings& around) {
-  step_.view = drive.view;
-  step_.planned_map = drive.path_map;
-  step_.leg_only = drive.leg_only;
-  step_.of_disc = drive.of_disc;
-  step_.obstacles_map = around.obstacles_map;
-  Write();
-}
-
-void StepKeeper::OnEnd(const MissionResult& result) {
-  step_.view.reset();
-  step_.planned_map.clear();
-  step_.area = result.area;
-  step_.obstacles_map = result.obstacles_map;
-  Write();
-}
-
-void StepKeeper::Write() const {
-  run_.WriteJson(StepName(step_.index) + ".json", ToJson(step_));
-  slam::WriteSvg(run_.File(StepName(step_.index) + ".svg"), DrawingOf(step_, driven_map_), kStepSvg);
+void StepKeeper::Write(const ExploredStep& step) const {
+  run_.WriteJson(StepName(step.index) + ".json", ToJson(step));
+  slam::WriteSvg(run_.File(StepName(step.index) + ".svg"), DrawingOf(step, steps_.driven_map()), kStepSvg);
 }
 
 }  // namespace ariadne::experiments

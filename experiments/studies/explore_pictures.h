@@ -19,17 +19,17 @@ class StepKeeper {
   /// Keeps a reference.
   explicit StepKeeper(const RunDirectory& run) : run_(run) {}
 
-  void OnStop(const MissionStop& stop, const MissionMap& map);
-  void OnPlan(const PlannedDrive& drive, const Surroundings& around);
-  /// The last step then shows what is known in the end.
-  void OnEnd(const MissionResult& result);
+  void OnStop(const MissionStop& stop, const MissionMap& map) { Write(steps_.OnStop(stop, map)); }
+  void OnPlan(const PlannedDrive& drive, const Surroundings& around) {
+    Write(steps_.OnPlan(drive, around));
+  }
+  void OnEnd(const MissionResult& result) { Write(steps_.OnEnd(result)); }
 
  private:
-  void Write() const;
+  void Write(const ExploredStep& step) const;
 
   const RunDirectory& run_;
-  ExploredStep step_;
-  std::vector<Eigen::Vector2d> driven_map_;  // so far
+  MissionSteps steps_;
 };
 
 }  // namespace ariadne::experiments

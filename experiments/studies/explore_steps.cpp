@@ -13,6 +13,8 @@ namespace {
 
 using slam::Pose2;
 
+constexpr double kDrivenStep = 0.05;  // between places of the way that are kept [m]
+
 double Rounded(double value) { return std::round(value * 1e4) / 1e4; }
 
 Json PlaceJson(const Eigen::Vector2d& p) { return {Rounded(p.x()), Rounded(p.y())}; }
@@ -66,6 +68,37 @@ planning::View ViewOf(const Json& json) {
 }
 
 }  // namespace
+
+const ExploredStep& MissionSteps::OnStop(const MissionStop& stop, const MissionMap& map) {
+  step_ = {};
+  step_.index = map.size() - 1;
+  step_.registered = stop.registered;
+  for (std::size_t i = 0; i < map.size(); ++i) step_.T_map_stops.push_back(map.T_map_base(i));
+  for (const Pose2& pose : stop.driven_map) {
+    if (!driven_map_.empty() && (pose.translation - driven_map_.back()).norm() < kDrivenStep) continue;
+    step_.driven_map.push_back(pose.translation);
+    driven_map_.push_back(pose.translation);
+  }
+  step_.area = map.Area(0);
+  return step_;
+}
+
+const ExploredStep& MissionSteps::OnPlan(const PlannedDrive& drive, const Surroundings& around) {
+  step_.view = drive.view;
+  step_.planned_map = drive.path_map;
+  step_.leg_only = drive.leg_only;
+  step_.of_disc = drive.of_disc;
+  step_.obstacles_map = around.obstacles_map;
+  return step_;
+}
+
+const ExploredStep& MissionSteps::OnEnd(const MissionResult& result) {
+  step_.view.reset();
+  step_.planned_map.clear();
+  step_.area = result.area;
+  step_.obstacles_map = result.obstacles_map;
+  return step_;
+}
 
 std::string StepName(std::size_t index) { return fmt::format("steps/step{:03}", index); }
 

@@ -27,6 +27,23 @@ struct ExploredStep {
   const slam::Pose2& T_map_base() const { return T_map_stops.back(); }
 };
 
+/// The steps of a mission as it goes: each when its scan is registered, and again with what is planned from
+/// there.
+class MissionSteps {
+ public:
+  const ExploredStep& OnStop(const MissionStop& stop, const MissionMap& map);
+  const ExploredStep& OnPlan(const PlannedDrive& drive, const Surroundings& around);
+  /// The last step then shows what is known in the end.
+  const ExploredStep& OnEnd(const MissionResult& result);
+
+  const ExploredStep& step() const { return step_; }
+  const std::vector<Eigen::Vector2d>& driven_map() const { return driven_map_; }  // so far
+
+ private:
+  ExploredStep step_;
+  std::vector<Eigen::Vector2d> driven_map_;
+};
+
 /// "steps/step007", to which the kind of file is added.
 std::string StepName(std::size_t index);
 

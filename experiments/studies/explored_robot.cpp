@@ -4,11 +4,16 @@
 
 #include "drivers/emulated/robot/emulated_lines.h"
 #include "drivers/replay/fast_forward.h"
+#include "experiments/studies/run_notes.h"
 
 namespace ariadne::experiments {
 namespace {
 
-/// The line by its number in the log: 0 scanner, 1 servo, 2 motors.
+// The lines by their numbers in the log.
+constexpr std::uint8_t kScannerLine = 0;
+constexpr std::uint8_t kServoLine = 1;
+constexpr std::uint8_t kMotorsLine = 2;
+
 std::unique_ptr<drivers::ByteStream> RecordedLine(std::unique_ptr<drivers::ByteStream> line,
                                                   std::uint8_t number, drivers::LineLogWriter& log) {
   return std::make_unique<drivers::RecordingStream>(
@@ -18,8 +23,9 @@ std::unique_ptr<drivers::ByteStream> RecordedLine(std::unique_ptr<drivers::ByteS
 drivers::RobotLines RecordedLines(drivers::RobotLines lines, drivers::LineLogWriter* to) {
   if (to == nullptr) return lines;
   drivers::LineLogWriter& log = *to;
-  return {RecordedLine(std::move(lines.scanner), 0, log), RecordedLine(std::move(lines.servo), 1, log),
-          RecordedLine(std::move(lines.motors), 2, log)};
+  return {RecordedLine(std::move(lines.scanner), kScannerLine, log),
+          RecordedLine(std::move(lines.servo), kServoLine, log),
+          RecordedLine(std::move(lines.motors), kMotorsLine, log)};
 }
 
 class Simulated : public ExploredRobot {
@@ -47,13 +53,20 @@ std::filesystem::path LogOfLinesAnew(const RunDirectory& run) {
   return path;
 }
 
+/// The mount that the drivers are for.
+drivers::EmulatedRobotOptions WithServoOf(drivers::EmulatedRobotOptions emulated,
+                                          const drivers::HardwareRobotOptions& hardware) {
+  emulated.servo_kind = hardware.servo_kind;
+  return emulated;
+}
+
 class Emulated : public ExploredRobot {
  public:
   Emulated(std::shared_ptr<const drivers::RayScene> scene, const drivers::SimulatedRobotOptions& robot,
            const drivers::HardwareRobotOptions& hardware, const drivers::EmulatedRobotOptions& emulated,
            std::uint64_t seed, const RunDirectory* run)
       : log_(run == nullptr ? nullptr : std::make_unique<drivers::LineLogWriter>(LogOfLinesAnew(*run))),
-        devices_(std::move(scene), robot.base, robot.ais, emulated, seed),
+        devices_(std::move(scene), robot.base, robot.ais, WithServoOf(emulated, hardware), seed),
         robot_(Lines(), hardware) {
     robot_.Connect();
   }
@@ -63,6 +76,9 @@ class Emulated : public ExploredRobot {
   drivers::Seam Resume(drivers::RobotLog& log) override {
     drivers::RepeatAll(robot_, log);
     return drivers::Seam::kNone;
+  }
+  void Note(const std::string& text) override {
+    if (log_) log_->Note(text);
   }
 
  private:
@@ -85,12 +101,14 @@ std::filesystem::path NextLogOfLines(const RunDirectory& run) {
   return path;
 }
 
+/// The drivers on lines of any kind, and a log of them, if any.
 class Real : public ExploredRobot {
  public:
-  Real(const drivers::HardwareRobotOptions& options, const drivers::GuardOptions& guard,
-       const RunDirectory* run, std::function<bool()> stop)
-      : log_(run == nullptr ? nullptr : std::make_unique<drivers::LineLogWriter>(NextLogOfLines(*run))),
-        robot_(RecordedLines(drivers::OpenPorts(options), log_.get()), options),
+  Real(std::unique_ptr<drivers::LineLogWriter> log, drivers::RobotLines lines,
+       const drivers::HardwareRobotOptions& options, const drivers::GuardOptions& guard,
+       std::function<bool()> stop)
+      : log_(std::move(log)),
+        robot_(RecordedLines(std::move(lines), log_.get()), options),
         stop_([stop = std::move(stop)] {
           return stop && stop() ? std::string("it was told to stop") : std::string();
         }),
@@ -99,14 +117,35 @@ class Real : public ExploredRobot {
   }
 
   drivers::Robot& robot() override { return guarded_; }
+  drivers::Robot& unguarded() { return robot_; }
   const drivers::SimulatedBase* truth() const override { return nullptr; }
-  drivers::Seam Resume(drivers::RobotLog&) override { return drivers::Seam::kRestarted; }
+  drivers::Seam Resume(drivers::RobotLog& log) override {
+    Note(ResumedNote(log.size()));
+    return drivers::Seam::kRestarted;
+  }
+  void Note(const std::string& text) override {
+    if (log_) log_->Note(text);
+  }
 
  private:
   std::unique_ptr<drivers::LineLogWriter> log_;
   drivers::HardwareRobot robot_;
   drivers::EmergencyStop stop_;
   drivers::GuardedRobot guarded_;
+};
+
+/// What was recorded of an emulated robot, or of a real one, which is guarded.
+class Replayed : public Real {
+ public:
+  Replayed(drivers::RobotLines lines, const ExploringRobotOptions& robot,
+           const drivers::HardwareRobotOptions& options, const std::function<bool()>& stop)
+      : Real(nullptr, std::move(lines), options, robot.guard, stop),
+        guarded_(robot.kind == RobotKind::kHardware) {}
+
+  drivers::Robot& robot() override { return guarded_ ? Real::robot() : unguarded(); }
+
+ private:
+  bool guarded_;
 };
 
 }  // namespace
@@ -131,7 +170,17 @@ std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& ro
     case RobotKind::kHardware:
       break;
   }
-  return std::make_unique<Real>(hardware, robot.guard, run, stop);
+  std::unique_ptr<drivers::LineLogWriter> log;
+  if (run != nullptr) log = std::make_unique<drivers::LineLogWriter>(NextLogOfLines(*run));
+  return std::make_unique<Real>(std::move(log), drivers::OpenPorts(hardware), hardware, robot.guard, stop);
+}
+
+std::unique_ptr<ExploredRobot> MakeReplayedRobot(const ExploringRobotOptions& robot,
+                                                 const drivers::HardwareRobotOptions& hardware,
+                                                 drivers::RecordedLines& lines,
+                                                 const std::function<bool()>& stop) {
+  drivers::RobotLines opened{lines.Open(kScannerLine), lines.Open(kServoLine), lines.Open(kMotorsLine)};
+  return std::make_unique<Replayed>(std::move(opened), robot, hardware, stop);
 }
 
 }  // namespace ariadne::experiments

@@ -6,6 +6,7 @@
 
 #include "drivers/emulated/robot/emulated_robot.h"
 #include "drivers/hardware/line_log.h"
+#include "drivers/hardware/recorded_lines.h"
 #include "drivers/hardware/robot/hardware_robot.h"
 #include "drivers/replay/replay_robot.h"
 #include "drivers/safety/guarded_robot.h"
@@ -57,6 +58,9 @@ class ExploredRobot {
   /// Before anything else: brings it to where the log of a run that is resumed ends, and says what lies
   /// between. A real one stands where it is.
   virtual drivers::Seam Resume(drivers::RobotLog& log) = 0;
+
+  /// Into the log of the lines, if there is one.
+  virtual void Note(const std::string&) {}
 };
 
 /// What crosses the lines of a robot of devices is kept in the run, if there is one. `scene` is not used
@@ -68,6 +72,12 @@ std::unique_ptr<ExploredRobot> MakeExploredRobot(const ExploringRobotOptions& ro
                                                  std::shared_ptr<const drivers::RayScene> scene,
                                                  std::uint64_t seed, const RunDirectory* run,
                                                  const std::function<bool()>& stop = {});
+
+/// The drivers of a robot of devices on lines that were recorded.
+std::unique_ptr<ExploredRobot> MakeReplayedRobot(const ExploringRobotOptions& robot,
+                                                 const drivers::HardwareRobotOptions& hardware,
+                                                 drivers::RecordedLines& lines,
+                                                 const std::function<bool()>& stop);
 
 }  // namespace ariadne::experiments
 

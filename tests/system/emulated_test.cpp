@@ -27,24 +27,7 @@ class Emulated : public ProgramTest {
  protected:
   void SetUp() override {
     folder_.Write("rooms.json", kTwoRoomsPlan);
-    folder_.Write("rooms.yaml", R"(experiment: explore
-world: rooms.json
-mission:
-  area:
-    polygon:
-      slice:
-        half_thickness: 0.1
-  planner:
-    candidates:
-      count: 60
-    refined: 40
-  limits:
-    max_scans: 3
-geometry:
-  plan:
-    thickness: 0.3
-integrate: false
-)");
+    folder_.Write("rooms.yaml", RoomsConfig(3));
   }
 
   /// Starts `ariadne emulate`; its ports by their names. It ends by EndEmulation.
@@ -122,21 +105,31 @@ TEST_F(Emulated, SaysWhatItNeeds) {
   EXPECT_THAT(Ariadne("emulate nowhere.json").err, HasSubstr("nowhere.json"));
 }
 
-/// The whole chain in real time, with two scans.
+/// The whole chain in real time, with two scans and a signal between them; both starts are replayed.
 TEST_F(Emulated, IsExploredOverPorts) {
   const auto ports = StartEmulation();
   std::vector<std::string> arguments = OnPorts(ports, "run");
   arguments.insert(arguments.end(), {"--set", "mission.limits.max_scans=2"});
   const pid_t child = Start(arguments);
+  for (int i = 0; i < 3000 && !fs::exists(folder_ / "run/scans/scan000.pose"); ++i)
+    std::this_thread::sleep_for(milliseconds(10));
+  kill(child, SIGTERM);
   int status = -1;
   waitpid(child, &status, 0);
-  EXPECT_EQ(status, 0);
+  EXPECT_EQ(status, 1 << 8) << "it was stopped";
+  Must("explore --resume --out run -q");
   EXPECT_EQ(EndEmulation(), 0);
   const nlohmann::json metrics = Metrics(Content("run/metrics.json"));
   EXPECT_EQ(metrics["scans"], 2);
   EXPECT_EQ(metrics["refused"], 0);
   EXPECT_GT(Content("run/lines.log.000").size(), 100000U);
   EXPECT_GT(Content("run/map.ply").size(), 100000U);
+  const std::string replayed = Must("replay run -q");
+  EXPECT_THAT(replayed, HasSubstr("lines.log: 1 scans, "));
+  EXPECT_THAT(replayed, HasSubstr("all the same\nthe mission ended as it did: it was stopped\n"));
+  EXPECT_THAT(replayed, HasSubstr("lines-2.log: 2 scans, "));
+  EXPECT_THAT(replayed,
+              HasSubstr("all the same\nthe mission ended as it did: the limit of scans is reached\n"));
 }
 
 /// Stopped by a signal while it drives: in order, and with wheels that stand.
@@ -173,6 +166,10 @@ TEST_F(Emulated, StopsTheWheelsWhenItIsKilled) {
     EXPECT_LT(stood_at - killed_at, 0.5 + 0.1);  // the timeout of kPatient
     EXPECT_LT(rolled_at, stood_at);              // and it stays so
     EXPECT_GT(Content(out + "/lines.log.000").size(), 10000U);
+    // In order, or by an error where a scan was just to begin; replayed it is the same.
+    EXPECT_THAT(
+        Must("replay -q " + out),
+        HasSubstr(signal == SIGKILL ? "all the same\nthe recording ends there\n" : "all the same\n"));
   }
 }
 

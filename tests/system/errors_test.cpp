@@ -110,7 +110,7 @@ TEST_F(ErrorsTest, OfArgumentsHaveStatusTwo) {
   EXPECT_THAT(
       unknown.err,
       StartsWith("there is no command 'regsiter'; there are explore, register, optimize, run, emulate, "
-                 "convert, info, config, simulate, extract, map, plan, export, view, devices, log, "
+                 "convert, info, config, simulate, extract, map, plan, export, view, devices, log, replay, "
                  "calibrate, check\n"));
   EXPECT_FALSE(fs::exists(folder_ / "run"));
 }

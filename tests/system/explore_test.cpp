@@ -21,27 +21,7 @@ class Explore : public ProgramTest {
  protected:
   void SetUp() override {
     folder_.Write("rooms.json", kTwoRoomsPlan);
-    folder_.Write("rooms.yaml", R"(experiment: explore
-world: rooms.json
-robot:
-  ais:
-    slices: 64
-mission:
-  area:
-    polygon:
-      slice:
-        half_thickness: 0.1
-  planner:
-    candidates:
-      count: 60
-    refined: 40
-  limits:
-    max_scans: 5
-geometry:
-  plan:
-    thickness: 0.3
-integrate: false
-)");
+    folder_.Write("rooms.yaml", RoomsConfig(5, "robot:\n  ais:\n    slices: 64\n"));
   }
 
   /// Starts the command, and kills it after a time, if it has not ended before.

@@ -12,7 +12,7 @@ class Help : public ProgramTest, public testing::WithParamInterface<std::string>
 INSTANTIATE_TEST_SUITE_P(Commands, Help,
                          testing::Values("explore", "register", "optimize", "run", "emulate", "convert",
                                          "info", "config", "simulate", "extract", "map", "export", "view",
-                                         "devices", "log", "calibrate", "check"),
+                                         "devices", "log", "replay", "calibrate", "check"),
                          [](const auto& name) { return name.param; });
 
 TEST_P(Help, EndsWithAnExample) {

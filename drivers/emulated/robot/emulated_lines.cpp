@@ -16,7 +16,7 @@ std::unique_ptr<EmulatedLine> LineTo(EmulatedDevice& device, std::string name,
 EmulatedLines LinesTo(EmulatedRobot& robot) {
   const auto time = std::make_shared<VirtualTime>();
   EmulatedLines lines{LineTo(robot.scanner(), "the emulated scanner's line", time),
-                      LineTo(robot.servo(), "the emulated servo's line", time),
+                      LineTo(robot.mount(), "the emulated servo's line", time),
                       LineTo(robot.motors(), "the emulated motors' line", time)};
   // The driver reads the scanner's line only while the other two live.
   robot.SetCatchUp([servo = lines.servo.get(), motors = lines.motors.get()](double until) {

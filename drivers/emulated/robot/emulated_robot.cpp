@@ -31,6 +31,7 @@ EmulatedRobot::EmulatedRobot(std::shared_ptr<const RayScene> scene, const Simula
       scanner_(options.scanner, [this](double stamp, const slam::ScannerModel& scanner,
                                        std::size_t beams) { return Measure(stamp, scanner, beams); }),
       servo_(options.servo),
+      hobby_servo_(options.hobby_servo),
       motors_(options.motors) {
   CheckOptions(options, "emulated.");
   CheckOptions(ais, "ais.");
@@ -42,8 +43,20 @@ double EmulatedRobot::Roll(const std::array<double, 2>& pulses, double time) {
   return base_.Roll({meters * pulses[0] * (1.0 - slip_[0]), meters * pulses[1] * (1.0 - slip_[1])}, time);
 }
 
+EmulatedDevice& EmulatedRobot::mount() {
+  if (options_.servo_kind == ServoKind::kHobby) return hobby_servo_;
+  return servo_;
+}
+
+void EmulatedRobot::SetStuck(bool stuck) {
+  servo_.SetStuck(stuck);
+  hobby_servo_.SetStuck(stuck);
+}
+
 /// Larger positions look up [rad].
 double EmulatedRobot::PitchAt(double time) const {
+  if (options_.servo_kind == ServoKind::kHobby)
+    return (hobby_servo_.PositionAt(time) - options_.level_pulse) / options_.pulse_per_radian;
   return 2.0 * std::numbers::pi * (servo_.PositionAt(time) - options_.level / 360.0);
 }
 

@@ -4,9 +4,11 @@
 #include <functional>
 #include <memory>
 
+#include "drivers/emulated/emulated_hobby_servo.h"
 #include "drivers/emulated/emulated_lms200.h"
 #include "drivers/emulated/emulated_motors.h"
 #include "drivers/emulated/emulated_servo.h"
+#include "drivers/hardware/servo_kind.h"
 #include "drivers/simulated/ais_scanner_options.h"
 #include "drivers/simulated/ray_scene.h"
 #include "drivers/simulated/simulated_base.h"
@@ -15,16 +17,27 @@ namespace ariadne::drivers {
 
 struct EmulatedRobotOptions {
   EmulatedLms200Options scanner;
+  ServoKind servo_kind = ServoKind::kDynamixel;
   EmulatedServoOptions servo;
   double level = 180.0;
+  EmulatedHobbyServoOptions hobby_servo;
+  double level_pulse = 1500.0;
+  double pulse_per_radian = 636.62;
   EmulatedMotorsOptions motors;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("scanner", self.scanner, "the LMS-200");
-    visit("servo", self.servo, "that tilts it");
+    visit("servo_kind", self.servo_kind,
+          "what tilts it; of `explore` with robot=emulated it is hardware.servo_kind");
+    visit("servo", self.servo, "the Dynamixel");
     visit("level", self.level, Unit("deg"), Range{0.0, 360.0},
-          "position of the servo where the scanner is level");
+          "position of the Dynamixel where the scanner is level");
+    visit("hobby_servo", self.hobby_servo, "the hobby servo and its controller");
+    visit("level_pulse", self.level_pulse, Unit("us"), Range{500.0, 2500.0},
+          "where the hobby servo holds the scanner level");
+    visit("pulse_per_radian", self.pulse_per_radian, Unit("us"), Range{50.0, 3000.0},
+          "of the hobby servo, truly");
     visit("motors", self.motors, "of the wheels, left and right");
   }
 };
@@ -46,6 +59,10 @@ class EmulatedRobot {
 
   EmulatedLms200& scanner() { return scanner_; }
   EmulatedServo& servo() { return servo_; }
+  /// What tilts the scanner, of the kind of the options.
+  EmulatedDevice& mount();
+  /// Something holds the mount.
+  void SetStuck(bool stuck);
   EmulatedMotors& motors() { return motors_; }
 
   /// The truth.
@@ -70,6 +87,7 @@ class EmulatedRobot {
   std::uint64_t sweeps_ = 0;  // names the streams of noise
   EmulatedLms200 scanner_;
   EmulatedServo servo_;
+  EmulatedHobbyServo hobby_servo_;
   EmulatedMotors motors_;
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "drivers/hardware/dynamixel/packet.h"
+#include "drivers/hardware/hobby_servo/maestro.h"
 #include "drivers/hardware/lms200/link.h"
 #include "drivers/hardware/roboclaw/packet.h"
 
@@ -79,6 +80,30 @@ std::optional<FoundDevice> FindMotors(ByteStream& line) {
   return std::nullopt;
 }
 
+/// The pulse of a channel [us], 0 for none; none for what no controller says. Channels can be inputs too.
+std::optional<double> PulseOfChannel(ByteStream& line, std::uint8_t channel) {
+  const Bytes answer =
+      Answer(line, hobby_servo::EncodeRequest({hobby_servo::Code::kPosition, channel, 0}), 2);
+  if (answer.size() != 2) return std::nullopt;
+  constexpr int kLargestInput = 1023, kShortest = 1600, kLongest = 11200;  // [0.25 us]
+  const int number = hobby_servo::NumberOf(answer);
+  if (number > kLongest || (number > kLargestInput && number < kShortest)) return std::nullopt;
+  return number * 0.25;
+}
+
+/// Its answers have no checksum: two channels must say what can be. The first byte of all lets a controller
+/// find its rate that is set to do so.
+std::optional<FoundDevice> FindServoController(ByteStream& line) {
+  constexpr int kRate = 9600;
+  if (!HasRate(line, kRate)) return std::nullopt;
+  Answer(line, hobby_servo::EncodeRequest({hobby_servo::Code::kDetectBaud, 0, 0}), 0);
+  const std::optional<double> first = PulseOfChannel(line, 0);
+  const std::optional<double> second = first ? PulseOfChannel(line, 1) : std::nullopt;
+  if (!second) return std::nullopt;
+  return FoundDevice{DeviceKind::kMaestro, kRate,
+                     fmt::format("pulses of channel 0: {:.0f} us, 1: {:.0f} us", *first, *second)};
+}
+
 std::optional<FoundDevice> FindScanner(ByteStream& line) {
   lms200::Link link(line);
   for (const int baud : lms200::kBaudRates) {
@@ -95,7 +120,8 @@ std::optional<FoundDevice> FindScanner(ByteStream& line) {
 std::optional<FoundDevice> IdentifyDevice(ByteStream& line) {
   if (std::optional<FoundDevice> scanner = FindScanner(line)) return scanner;
   if (std::optional<FoundDevice> motors = FindMotors(line)) return motors;
-  return FindServos(line);
+  if (std::optional<FoundDevice> servos = FindServos(line)) return servos;
+  return FindServoController(line);
 }
 
 std::vector<DeviceListing> ListDevices(const std::vector<SerialPortName>& ports) {

@@ -10,7 +10,7 @@
 
 namespace ariadne::drivers {
 
-enum class DeviceKind { kLms200, kDynamixel, kRoboclaw };
+enum class DeviceKind { kLms200, kDynamixel, kRoboclaw, kMaestro };
 
 /// What answers on a line.
 struct FoundDevice {
@@ -37,5 +37,5 @@ std::vector<DeviceListing> ListDevices(const std::vector<SerialPortName>& ports 
 
 template <>
 struct ariadne::EnumNames<ariadne::drivers::DeviceKind> {
-  static constexpr std::array<std::string_view, 3> value = {"LMS-200", "Dynamixel", "RoboClaw"};
+  static constexpr std::array<std::string_view, 4> value = {"LMS-200", "Dynamixel", "RoboClaw", "Maestro"};
 };

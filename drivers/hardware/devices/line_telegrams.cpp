@@ -12,12 +12,15 @@ std::unique_ptr<TelegramReader> MakeTelegramReader(DeviceKind kind) {
       return MakeDynamixelReader();
     case DeviceKind::kRoboclaw:
       return MakeRoboclawReader();
+    case DeviceKind::kMaestro:
+      return MakeMaestroReader();
   }
   Fail("there is no such device");
 }
 
 DeviceGuess::DeviceGuess() {
-  for (const DeviceKind kind : {DeviceKind::kLms200, DeviceKind::kDynamixel, DeviceKind::kRoboclaw}) {
+  for (const DeviceKind kind :
+       {DeviceKind::kLms200, DeviceKind::kDynamixel, DeviceKind::kRoboclaw, DeviceKind::kMaestro}) {
     seen_.push_back({kind, 0, 0, 0});
     readers_.push_back(MakeTelegramReader(kind));
   }

@@ -74,5 +74,6 @@ class DeviceGuess {
 std::unique_ptr<TelegramReader> MakeLms200Reader();
 std::unique_ptr<TelegramReader> MakeDynamixelReader();
 std::unique_ptr<TelegramReader> MakeRoboclawReader();
+std::unique_ptr<TelegramReader> MakeMaestroReader();
 
 }  // namespace ariadne::drivers

@@ -21,6 +21,7 @@ struct HobbyServoOptions {
   double min_angle = -1.2;
   double max_angle = 1.2;
   double settling = 0.3;
+  double lag = 0.03;
   double reply_time = 0.03;
   double recovery_time = 1.0;
 
@@ -39,6 +40,10 @@ struct HobbyServoOptions {
     visit("max_angle", self.max_angle, Unit("rad"), Range{-3.14, 3.14}, "that the mount bears");
     visit("settling", self.settling, Unit("s"), Range{0.0, 10.0},
           "after the pulse has arrived until the servo surely has: nobody measures it");
+    visit(
+        "lag", self.lag, Unit("s"), Range{0.0, 1.0},
+        "by which it follows its pulse while it moves evenly; what is wrong of it turns scans in pitch, as "
+        "hardware.mount.pitch does");
     visit("reply_time", self.reply_time, Unit("s"), Range{0.001, 1.0},
           "to the end of a reply, beyond what the line needs; adapters keep bytes for up to 16 ms");
     visit("recovery_time", self.recovery_time, Unit("s"), Range{0.0, 60.0},
@@ -81,6 +86,7 @@ class HobbyServo {
   void WaitFor(double angle, double seconds);
 
   std::uint64_t repeated() const { return repeated_; }
+  const HobbyServoOptions& options() const { return options_; }
 
  private:
   std::uint16_t Ask(Code code);

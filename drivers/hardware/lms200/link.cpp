@@ -41,14 +41,20 @@ double Link::UsualAck() const {
   return sorted[sorted.size() / 2];
 }
 
+/// What is there at once has come while nobody listened; behind it all is new.
 std::optional<Link::Item> Link::NextItem(double deadline) {
-  while (true) {
-    if (const std::optional<Received> received = decoder_.Next()) return Item{*received, last_byte_};
+  for (bool drained = false;;) {
+    if (const std::optional<Received> received = decoder_.Next())
+      return Item{*received, last_byte_, waited_};
     const bool waiting = decoder_.IsWaiting();
-    const Bytes bytes = line_.Read(waiting ? std::min(deadline, last_byte_ + kLongestPause) : deadline);
+    const double until = waiting ? std::min(deadline, last_byte_ + kLongestPause) : deadline;
+    const Bytes bytes = line_.Read(drained ? until : line_.Now());
     if (!bytes.empty()) {
       last_byte_ = line_.Now();
+      waited_ = !drained;
       decoder_.Push(bytes);
+    } else if (!drained) {
+      drained = true;
     } else if (waiting && line_.Now() >= last_byte_ + kLongestPause) {
       decoder_.GiveUp();
     } else if (line_.Now() >= deadline) {
@@ -73,7 +79,7 @@ std::optional<Link::Arrived> Link::ReplyOf(const Item& item) {
   ++counters_.telegrams;
   const Bytes& payload = item.received.telegram.payload;
   try {
-    Arrived arrived{DecodeReply(payload), item.time, payload.size() + kFrameSize};
+    Arrived arrived{DecodeReply(payload), item.time, payload.size() + kFrameSize, 0.0, item.waited};
     if (std::holds_alternative<PowerOn>(arrived.reply)) ++counters_.power_ons;
     return arrived;
   } catch (const Error&) {

@@ -37,6 +37,7 @@ class Link {
     double time = 0.0;     // when the last byte was there [s]
     std::size_t size = 0;  // of the frame [B]
     double asked = 0.0;    // when the request had left, of the reply to one [s]
+    bool waited = false;   // it was there before anybody listened, nobody knows for how long
   };
 
   /// The next reply that arrives by itself until `deadline` [s]; bad ones are counted and passed over.
@@ -64,6 +65,7 @@ class Link {
   struct Item {
     Received received;
     double time;
+    bool waited;
   };
 
   std::optional<Item> NextItem(double deadline);
@@ -74,6 +76,7 @@ class Link {
   TelegramDecoder decoder_{Sender::kDevice};
   LinkCounters counters_;
   double last_byte_ = 0.0;   // [s]
+  bool waited_ = false;      // what was read last was there before anybody listened
   std::deque<double> acks_;  // how long the latest took [s]
 };
 

@@ -30,7 +30,7 @@ std::optional<Lms200Sweep> Lms200::Accept(const lms200::Link::Arrived& arrived) 
     ++counters_.unexpected;
     return std::nullopt;
   }
-  const std::optional<double> end = clock_.EndOf(arrived.time - link_.TimeOf(arrived.size));
+  const std::optional<double> end = clock_.EndOf(arrived.time - link_.TimeOf(arrived.size), arrived.waited);
   if (!end) {
     ++counters_.no_time;
     parts_.clear();

@@ -31,29 +31,31 @@ std::optional<double> SweepClock::TakeUpBeat() {
 }
 
 /// Whether it is known that so many turns have passed. A delay makes them more than sweeps have arrived,
-/// and so does a loss: only that stays the same.
-bool SweepClock::IsCounted(double turns) {
+/// and so does a loss: only that stays the same. Over a long time the mirror's drift makes turns as well,
+/// and hides what is missing of those that have waited.
+bool SweepClock::IsCounted(double turns, bool waited) {
   const double missing = turns - arrived_ * usual_;
+  if (waited) return missing == 0.0 && turns * options_.drift < 0.5;
   if (missing == 0.0) return true;
   agreed_ = missing == missing_ ? agreed_ + 1 : 0;
   missing_ = missing;
   return agreed_ >= options_.confirmations;
 }
 
-std::optional<double> SweepClock::EndOf(double observed) {
-  Follow(observed);
-  if (!has_beat_) return confirmed_ < options_.confirmations ? std::nullopt : TakeUpBeat();
+std::optional<double> SweepClock::EndOf(double observed, bool waited) {
+  if (!waited) Follow(observed);
+  if (!has_beat_) return waited || confirmed_ < options_.confirmations ? std::nullopt : TakeUpBeat();
   ++arrived_;
   const double turns = std::round((observed - beat_) / period_);
   const double late = observed - (beat_ + turns * period_);
-  if (std::abs(late) <= options_.tolerance * period_ && turns >= 1.0 && IsCounted(turns)) {
+  if (std::abs(late) <= options_.tolerance * period_ && turns >= 1.0 && IsCounted(turns, waited)) {
     beat_ = observed - late + std::min(late, options_.drift * turns * period_);
     arrived_ = 0.0;
     agreed_ = 0;
     return beat_;
   }
   // What goes on for long is another beat, of a device that was reset, or of a slower line.
-  return confirmed_ < 3 * options_.confirmations ? std::nullopt : TakeUpBeat();
+  return waited || confirmed_ < 3 * options_.confirmations ? std::nullopt : TakeUpBeat();
 }
 
 }  // namespace ariadne::drivers::lms200

@@ -36,8 +36,9 @@ class SweepClock {
       : period_(period), options_(options) {}
 
   /// When the sweep ended whose telegram would have left the device at `observed` if nothing had delayed it
-  /// [s]; none if that is open.
-  std::optional<double> EndOf(double observed);
+  /// [s]; none if that is open. One that has `waited` until somebody listened has a time only where it is
+  /// counted: when it came nobody knows, and many that wait look like a beat of their own.
+  std::optional<double> EndOf(double observed, bool waited = false);
 
   /// Forgets the beat, because the device may have another one now.
   void Reset();
@@ -45,7 +46,7 @@ class SweepClock {
  private:
   void Follow(double observed);
   std::optional<double> TakeUpBeat();
-  bool IsCounted(double turns);
+  bool IsCounted(double turns, bool waited);
 
   double period_;
   SweepClockOptions options_;

@@ -5,11 +5,14 @@
 #include <string_view>
 #include <utility>
 
+#include "drivers/hardware/roboclaw/find_reply.h"
+
 namespace ariadne::drivers::roboclaw {
 namespace {
 
-constexpr int kTries = 3;
-constexpr double kQuickest = 1e9;  // acceleration of a stop [pulses/s^2]
+constexpr double kQuickest = 1e9;   // acceleration of a stop [pulses/s^2]
+constexpr double kStaleTime = 0.1;  // after which wheels must not turn on what was said before [s]
+constexpr std::size_t kMostLate = 16;
 
 MotorsOptions CheckedMotors(const MotorsOptions& options) {
   CheckOptions(options, "motors.");
@@ -18,6 +21,14 @@ MotorsOptions CheckedMotors(const MotorsOptions& options) {
 
 std::int32_t SignedAt(ByteView bytes, std::size_t at) {
   return static_cast<std::int32_t>(NumberAt(bytes, at, 4));
+}
+
+/// Zero speeds, as quickly as the board can.
+Bytes HaltData() {
+  Bytes data;
+  PutNumber(data, static_cast<std::uint32_t>(kQuickest), 4);
+  data.resize(DataSize(Code::kSpeedsWithAcceleration));
+  return data;
 }
 
 std::uint8_t AddressOf(const MotorsOptions& options) { return static_cast<std::uint8_t>(options.address); }
@@ -40,59 +51,115 @@ double Motors::Deadline(std::size_t bytes) const {
   return line_->Now() + static_cast<double>(bytes) * 10.0 / options_.baud + options_.reply_time;
 }
 
-/// Replies have no beginning either: what is left of an earlier one is thrown away before a question.
-Bytes Motors::Ask(Code code) {
-  const double give_up = line_->Now() + options_.recovery_time;
-  for (int i = 0; i < kTries || line_->Now() < give_up; ++i) {
-    if (i > 0) {
-      ++repeated_;
-      DiscardUntil(*line_, line_->Now() + kPacketPause);  // so that the board forgets half a packet
-    }
-    line_->Read(line_->Now());
-    line_->Write(EncodeRequest(AddressOf(options_), code));
-    const double deadline =
-        Deadline(2 + DataSize(code) + (code == Code::kVersion ? kLongestVersion : 0) + 2);
-    Bytes reply;
-    try {
-      while (line_->Now() < deadline) {
-        const Bytes more = line_->Read(deadline);
-        reply.insert(reply.end(), more.begin(), more.end());
-        if (const std::optional<Bytes> data = DecodeReply(AddressOf(options_), code, reply)) return *data;
-      }
-    } catch (const Error&) {
-      if (reply.empty()) throw;  // of the line, not of the reply
-    }
+/// The board forgets half a packet.
+void Motors::Pause() {
+  ++repeated_;
+  DiscardUntil(*line_, line_->Now() + kPacketPause);
+}
+
+/// An acknowledgement is one byte, with which a late reply may begin as well.
+bool Motors::IsDoubtful(Code code) const {
+  return IsWrite(code) && std::any_of(late_.begin(), late_.end(), [](Code late) { return !IsWrite(late); });
+}
+
+/// What was taken for the answer may be that of an earlier request of this kind; then another one comes.
+void Motors::Answered(Code code) {
+  const bool twice = std::any_of(late_.begin(), late_.end(), [code](Code late) {
+    return late == code || (IsWrite(late) && IsWrite(code));
+  });
+  late_.clear();
+  if (twice) late_.push_back(code);
+}
+
+/// The data of the answer, none until `deadline`.
+std::optional<Bytes> Motors::Exchange(Code code, const Bytes& request, double deadline) {
+  line_->Read(line_->Now());
+  line_->Write(request);
+  Bytes bytes;
+  FoundReply found;
+  for (double until = deadline; line_->Now() < until && found.can_come;) {
+    const Bytes more = line_->Read(until);
+    bytes.insert(bytes.end(), more.begin(), more.end());
+    found = FindReply(AddressOf(options_), code, bytes, late_);
+    if (found.data && !IsDoubtful(code)) break;
+    until = found.data ? std::min(deadline, line_->Now() + kPacketPause) : deadline;
+    if (found.data && more.empty()) break;
   }
-  FailSilent();
+  if (found.data) {
+    Answered(code);
+  } else {
+    late_.push_back(code);
+    if (late_.size() > kMostLate) late_.erase(late_.begin());
+  }
+  return found.data;
+}
+
+/// Zero speed, of which nobody waits to hear.
+void Motors::HaltUnheard() {
+  line_->Write(EncodeRequest(AddressOf(options_), Code::kSpeedsWithAcceleration, HaltData()));
+  late_.push_back(Code::kSpeedsWithAcceleration);
+  turning_ = false;
+  halting_ = true;
+}
+
+/// Wheels that turn must not do so for long on a command whose effect nobody sees, and each question puts
+/// off the board's own timeout.
+std::optional<Bytes> Motors::TryAsk(Code code, double give_up) {
+  const double stale = line_->Now() + kStaleTime;
+  const Bytes request = EncodeRequest(AddressOf(options_), code);
+  const std::size_t size =
+      request.size() + DataSize(code) + (code == Code::kVersion ? kLongestVersion : 0) + 2;
+  for (int i = 0; i == 0 || line_->Now() < give_up; ++i) {
+    if (i > 0 && (halting_ || (turning_ && line_->Now() + kPacketPause >= stale))) HaltUnheard();
+    if (i > 0) Pause();
+    const double deadline = turning_ ? std::min(Deadline(size), stale) : Deadline(size);
+    std::optional<Bytes> data = Exchange(code, request, deadline);
+    if (!data) continue;
+    if (std::exchange(halting_, false)) Tell(Code::kSpeedsWithAcceleration, HaltData());
+    return data;
+  }
+  return std::nullopt;
 }
 
 /// Commands may come twice, since all of them set something.
-void Motors::Tell(Code code, const Bytes& data) {
-  const double give_up = line_->Now() + std::min(options_.recovery_time, options_.timeout);
-  for (int i = 0; i < kTries || line_->Now() < give_up; ++i) {
-    if (i > 0) {
-      ++repeated_;
-      DiscardUntil(*line_, line_->Now() + kPacketPause);
-    }
-    line_->Read(line_->Now());
-    const Bytes request = EncodeRequest(AddressOf(options_), code, data);
-    line_->Write(request);
-    if (line_->Read(Deadline(request.size() + 1)) == Bytes{kAcknowledged}) return;
+bool Motors::TryTell(Code code, const Bytes& data, double give_up) {
+  const Bytes request = EncodeRequest(AddressOf(options_), code, data);
+  for (int i = 0; i == 0 || line_->Now() < give_up; ++i) {
+    if (i > 0) Pause();
+    const double deadline = Deadline(request.size() + 1);
+    if (Exchange(code, request, i == 0 ? deadline : std::min(deadline, give_up))) return true;
   }
-  FailSilent();
+  return false;
+}
+
+Bytes Motors::Ask(Code code) {
+  std::optional<Bytes> data = TryAsk(code, GiveUp());
+  if (!data) FailSilent();
+  return *std::move(data);
+}
+
+void Motors::Tell(Code code, const Bytes& data) {
+  if (!TryTell(code, data, GiveUp())) FailSilent();
 }
 
 std::uint8_t Motors::TimeoutNumber() const {
   return static_cast<std::uint8_t>(std::lround(options_.timeout * 10.0));
 }
 
-void Motors::FailIfRestarted() {
-  if (Ask(Code::kTimeout).front() == TimeoutNumber()) return;
+/// False where it does not answer in time.
+bool Motors::TryFailIfRestarted(double give_up) {
+  const std::optional<Bytes> timeout = TryAsk(Code::kTimeout, give_up);
+  if (!timeout) return false;
+  if (timeout->front() == TimeoutNumber()) return true;
   Tell(Code::kSetTimeout, {TimeoutNumber()});
   Fail(
       "the motor board on {} was without power for a moment and has lost its counts; see its battery and "
       "its plug",
       line_->name());
+}
+
+void Motors::FailIfRestarted() {
+  if (!TryFailIfRestarted(GiveUp())) FailSilent();
 }
 
 void Motors::Connect() {
@@ -107,7 +174,7 @@ void Motors::Connect() {
   Stop();
 }
 
-void Motors::SetSpeeds(const Pair& speeds, double acceleration) {
+bool Motors::SetSpeeds(const Pair& speeds, double acceleration) {
   Bytes data;
   if (!(acceleration > 0.0)) Fail("motors need an acceleration above 0, not {}", acceleration);
   PutNumber(data, static_cast<std::uint32_t>(std::llround(std::min(acceleration, kQuickest))), 4);
@@ -118,8 +185,23 @@ void Motors::SetSpeeds(const Pair& speeds, double acceleration) {
     }
     PutNumber(data, static_cast<std::uint32_t>(std::llround(speed)), 4);
   }
-  FailIfRestarted();
+  if (speeds[0] != 0.0 || speeds[1] != 0.0) return Turn(data);
   Tell(Code::kSpeedsWithAcceleration, data);
+  turning_ = halting_ = false;
+  FailIfRestarted();
+  return true;
+}
+
+/// What was decided on what is seen must not be done much later.
+bool Motors::Turn(const Bytes& data) {
+  const double give_up = std::min(GiveUp(), line_->Now() + kStaleTime);
+  bool told = TryFailIfRestarted(give_up);
+  if (told) {
+    turning_ = true;  // perhaps, also where the answer is lost
+    told = TryTell(Code::kSpeedsWithAcceleration, data, give_up);
+  }
+  if (!told) Stop();
+  return told;
 }
 
 void Motors::Stop() { SetSpeeds({0.0, 0.0}, kQuickest); }

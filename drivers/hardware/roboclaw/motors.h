@@ -3,7 +3,9 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "drivers/hardware/byte_stream.h"
 #include "drivers/hardware/roboclaw/packet.h"
@@ -30,8 +32,7 @@ struct MotorsOptions {
     visit("reply_time", self.reply_time, Unit("s"), Range{0.001, 1.0},
           "to the end of a reply, beyond what the line needs; adapters keep bytes for up to 16 ms");
     visit("recovery_time", self.recovery_time, Unit("s"), Range{0.0, 60.0},
-          "for which a silent board is asked again; speeds are given up at the timeout, when the wheels "
-          "stand");
+          "for which a silent board is asked again; wheels that turn are told to stop after 0.1 s of that");
     visit("max_speed", self.max_speed, Unit("pulses/s"), Range{1.0, 1e7}, "that a motor is ever sent");
   }
 };
@@ -50,9 +51,11 @@ std::int32_t CountsBetween(std::int32_t before, std::int32_t after);
 
 /// A RoboClaw board with two motors and encoders on a line. Whatever becomes of this program, the board
 /// stops the motors when it has heard nothing for the timeout. Each call throws an Error with a sentence
-/// where the board does not answer. A board that was without power for a moment has forgotten its timeout
-/// and its counts: before speeds are set and after counts are read it is asked for the timeout, and if that
-/// is lost, it is set again, and the call throws an Error once.
+/// where the board does not answer within the recovery time; one late answer is no reason to end, but no
+/// wheel turns on a command that is older than 0.1 s: then zero speed is sent. A board that was without
+/// power for a moment has forgotten its timeout and its counts: before speeds are set and after counts are
+/// read it is asked for the timeout, and if that is lost, it is set again, and the call throws an Error
+/// once.
 class Motors {
  public:
   Motors(std::unique_ptr<ByteStream> line, const MotorsOptions& options);
@@ -63,7 +66,8 @@ class Motors {
 
   /// Speeds of both motors [pulses/s], reached with `acceleration` [pulses/s^2]. Error beyond the largest.
   /// The timeout goes before them, each time: a board that was without power for a moment has forgotten it.
-  void SetSpeeds(const Pair& speeds, double acceleration);
+  /// False where the board has answered too late, and was told to stop instead.
+  bool SetSpeeds(const Pair& speeds, double acceleration);
   /// As quickly as the board can.
   void Stop();
 
@@ -77,18 +81,35 @@ class Motors {
   const std::string& version() const { return version_; }
   std::uint64_t repeated() const { return repeated_; }
 
+  /// Whether the wheels were told to turn, and not to stop since: who asks may find that they were, because
+  /// the board was silent.
+  bool turning() const { return turning_; }
+
  private:
   Bytes Ask(Code code);
   void Tell(Code code, const Bytes& data);
+  std::optional<Bytes> TryAsk(Code code, double give_up);
+  bool TryTell(Code code, const Bytes& data, double give_up);
+  std::optional<Bytes> Exchange(Code code, const Bytes& request, double deadline);
+  bool IsDoubtful(Code code) const;
+  void Answered(Code code);
+  void Pause();
+  void HaltUnheard();
   [[noreturn]] void FailSilent() const;
   std::uint8_t TimeoutNumber() const;
+  bool TryFailIfRestarted(double give_up);
   void FailIfRestarted();
+  bool Turn(const Bytes& data);
+  double GiveUp() const { return line_->Now() + options_.recovery_time; }
   double Deadline(std::size_t bytes) const;
 
   std::unique_ptr<ByteStream> line_;
   MotorsOptions options_;
   std::string version_;
   std::uint64_t repeated_ = 0;  // requests
+  std::vector<Code> late_;      // requests without an answer, which may come yet
+  bool turning_ = false;
+  bool halting_ = false;  // zero speed was sent, and nobody knows whether it was heard
 };
 
 }  // namespace ariadne::drivers::roboclaw

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drivers/hardware/robot/stopping_wheels.h"
 #include "drivers/hardware/serial_port.h"
@@ -20,13 +21,16 @@ const HardwareRobotOptions& CheckedRobot(const HardwareRobotOptions& options) {
   const TiltOptions& tilt = options.tilt;
   if (tilt.from >= tilt.to) Fail("hardware.tilt.from must be smaller than hardware.tilt.to");
   const double duration = options.scanner.turn_period / options.scanner.resolution;
-  const double lead = LeadOf(tilt, (tilt.to - tilt.from) / (tilt.slices * duration), duration);
-  if (tilt.from - lead < options.servo.min_angle || tilt.to + lead > options.servo.max_angle) {
+  const double lag = options.servo_kind == ServoKind::kHobby ? options.hobby_servo.lag : 0.0;
+  const double lead = LeadOf(tilt, (tilt.to - tilt.from) / (tilt.slices * duration), duration, lag);
+  const MountRange range = MountRangeOf(options);
+  if (tilt.from - lead < range.min || tilt.to + lead > range.max) {
     Fail(
         "a scan from hardware.tilt.from={:.3f} to {:.3f} rad in {} slices needs {:.3f} rad more at both "
-        "ends to set the mount in motion, but it bears {:.3f} to {:.3f} only (hardware.servo.min_angle and "
-        "max_angle); take more slices, or a smaller range",
-        tilt.from, tilt.to, tilt.slices, lead, options.servo.min_angle, options.servo.max_angle);
+        "ends to set the mount in motion, but it bears {:.3f} to {:.3f} only (hardware.{}.min_angle "
+        "and max_angle); take more slices, or a smaller range",
+        tilt.from, tilt.to, tilt.slices, lead, range.min, range.max,
+        options.servo_kind == ServoKind::kHobby ? "hobby_servo" : "servo");
   }
   return options;
 }
@@ -53,7 +57,7 @@ HardwareRobot::HardwareRobot(RobotLines lines, const HardwareRobotOptions& optio
     : options_(CheckedRobot(options)),
       base_line_(*lines.motors),
       scanner_(std::move(lines.scanner), options.scanner),
-      servo_(std::move(lines.servo), options.servo),
+      mount_(MakeTiltMount(std::move(lines.servo), options)),
       motors_(std::move(lines.motors), options.motors),
       start_(base_line_.Now()),
       odometry_(options.drive, options.odometry) {}
@@ -72,10 +76,10 @@ void HardwareRobot::StopWheels() noexcept {
 void HardwareRobot::Connect() {
   StoppingWheels([&] {
     motors_.Connect();
-    servo_.Connect();
-    servo_.SetProfile(options_.tilt.fast, options_.tilt.acceleration);
-    servo_.SetTorque(true);
-    servo_.MoveTo(0.0);
+    mount_->Connect();
+    mount_->SetProfile(options_.tilt.fast, options_.tilt.acceleration);
+    mount_->Hold();
+    mount_->MoveTo(0.0);
     levelling_ = true;
     scanner_.Connect();
     Level();
@@ -94,6 +98,7 @@ double HardwareRobot::Now() const { return LineNow() - start_; }
 void HardwareRobot::ReadBase() {
   const roboclaw::EncoderCounts counts = motors_.Encoders();
   const roboclaw::Pair speeds = motors_.MeasuredSpeeds();
+  if (!motors_.turning()) NoteInterruption();
   const std::size_t left = options_.swapped ? 1 : 0;
   const std::size_t right = 1 - left;
   const int left_sense = options_.left_reversed ? -1 : 1;
@@ -107,9 +112,18 @@ void HardwareRobot::ReadBase() {
   state_.odometry =
       odometry_.Update({ticks(counts.counts[left], left_sense), ticks(counts.counts[right], right_sense)});
   state_.velocity = {0.5 * (rims.left + rims.right), (rims.right - rims.left) / options_.drive.track};
-  state_.stamp = counts.time - start_;
+  const double before = std::exchange(state_.stamp, counts.time - start_);
+  // Who was not heard for so long stands by the board's own timeout, and is held by nothing.
+  if (state_.stamp - before > options_.motors.timeout) behind_since_.fill(state_.stamp);
   state_read_ = base_line_.Now();
   NoteStall(rims);
+}
+
+/// The board was silent for so long that the wheels were told to stop; they stand until the next command.
+void HardwareRobot::NoteInterruption() {
+  if (target_.left == 0.0 && target_.right == 0.0) return;
+  target_ = {};
+  ++interruptions_;
 }
 
 void HardwareRobot::NoteStall(const control::WheelPair& speeds) {
@@ -146,12 +160,16 @@ void HardwareRobot::Drive(const Velocity& velocity) {
     if (moves) Stream();  // to see where it goes
     const control::DriveCommand command =
         control::Saturated({velocity.forward, velocity.turning}, options_.limits);
-    target_ = control::WheelsOf(command.forward, command.turning, options_.drive.track);
+    const control::WheelPair before =
+        std::exchange(target_, control::WheelsOf(command.forward, command.turning, options_.drive.track));
+    const double now = base_line_.Now() - start_;
+    if (std::abs(before.left) < options_.stall.min_speed) behind_since_[0] = now;  // it was not to turn
+    if (std::abs(before.right) < options_.stall.min_speed) behind_since_[1] = now;
     const double pulses = 1.0 / options_.drive.MetersPerTick();
     roboclaw::Pair speeds{pulses * target_.left * (options_.left_reversed ? -1.0 : 1.0),
                           pulses * target_.right * (options_.right_reversed ? -1.0 : 1.0)};
     if (options_.swapped) std::swap(speeds[0], speeds[1]);
-    motors_.SetSpeeds(speeds, pulses * options_.wheel_acceleration);
+    if (!motors_.SetSpeeds(speeds, pulses * options_.wheel_acceleration)) NoteInterruption();
   });
 }
 

@@ -8,6 +8,7 @@
 
 #include "control/odometry.h"
 #include "drivers/hardware/robot/hardware_robot_options.h"
+#include "drivers/hardware/robot/tilt_mount.h"
 #include "drivers/hardware/robot/tilt_track.h"
 #include "drivers/robot.h"
 
@@ -20,9 +21,9 @@ struct RobotLines {
   std::unique_ptr<ByteStream> motors;
 };
 
-/// A robot of three devices: an LMS-200, a Dynamixel servo that tilts it, and a RoboClaw that drives two
-/// wheels. It looks at no clock but that of its lines, and so is a function of what crosses them: emulated,
-/// real or recorded.
+/// A robot of three devices: an LMS-200, a servo that tilts it, and a RoboClaw that drives two wheels. It
+/// looks at no clock but that of its lines, and so is a function of what crosses them: emulated, real or
+/// recorded.
 ///
 /// A 3D scan is organized as the simulator's: the mount turns evenly upwards while sweeps come by
 /// themselves, and the pitch of each is what the servo has measured around its time. Before and after it
@@ -59,6 +60,8 @@ class HardwareRobot : public Robot {
   const Lms200& scanner() const { return scanner_; }
   roboclaw::Motors& motors() { return motors_; }
   int repeated_scans() const { return repeated_scans_; }
+  /// How often the wheels were stopped because the board was silent.
+  int interruptions() const { return interruptions_; }
 
  private:
   template <typename Call>
@@ -68,6 +71,7 @@ class HardwareRobot : public Robot {
   // hardware_robot.cpp
   double LineNow() const;
   void ReadBase();
+  void NoteInterruption();
   void NoteStall(const control::WheelPair& speeds);
   void Halt();
 
@@ -87,7 +91,7 @@ class HardwareRobot : public Robot {
   HardwareRobotOptions options_;
   ByteStream& base_line_;  // its clock is the robot's
   Lms200 scanner_;
-  dynamixel::Servo servo_;
+  std::unique_ptr<TiltMount> mount_;
   roboclaw::Motors motors_;
   double start_;                            // of the robot's time, by the lines' clock [s]
   bool level_ = false;                      // the mount stands level
@@ -100,6 +104,7 @@ class HardwareRobot : public Robot {
   std::array<double, 2> behind_since_{};   // when each began to stay behind its command [s]
   std::optional<slam::Pose2> stalled_at_;  // until the robot is clear of it
   int repeated_scans_ = 0;
+  int interruptions_ = 0;
 };
 
 /// Opens the ports that the options name. Error that says which one is not given, or cannot be opened.

@@ -12,8 +12,9 @@ slam::Pose3 LaserMountOptions::T_base_laser() const {
   return T;
 }
 
-double LeadOf(const TiltOptions& tilt, double rate, double duration) {
-  return 0.5 * rate * rate / tilt.acceleration + rate * (0.5 * tilt.window + duration);
+/// A lag fades by e in its own time: after four of them 1 % of it is left.
+double LeadOf(const TiltOptions& tilt, double rate, double duration, double lag) {
+  return 0.5 * rate * rate / tilt.acceleration + rate * (0.5 * tilt.window + duration + 4.0 * lag);
 }
 
 }  // namespace ariadne::drivers

@@ -6,8 +6,10 @@
 #include "control/odometry.h"
 #include "drivers/differential_frames.h"
 #include "drivers/hardware/dynamixel/servo.h"
+#include "drivers/hardware/hobby_servo/hobby_servo.h"
 #include "drivers/hardware/lms200/lms200.h"
 #include "drivers/hardware/roboclaw/motors.h"
+#include "drivers/hardware/servo_kind.h"
 #include "slam/geometry/angles.h"
 #include "slam/geometry/pose3.h"
 
@@ -81,8 +83,8 @@ struct TiltOptions {
 };
 
 /// How far before its range the mount must begin to move so that it is even there: at `rate` [rad/s], for
-/// sweeps of a duration [s].
-double LeadOf(const TiltOptions& tilt, double rate, double duration);
+/// sweeps of a duration [s], with a mount that follows by a lag [s].
+double LeadOf(const TiltOptions& tilt, double rate, double duration, double lag = 0.0);
 
 /// When wheels that should turn are held by something.
 struct StallOptions {
@@ -100,7 +102,9 @@ struct StallOptions {
 
 struct HardwareRobotOptions {
   OnPort<Lms200Options> scanner;
+  ServoKind servo_kind = ServoKind::kDynamixel;
   OnPort<dynamixel::ServoOptions> servo;
+  hobby_servo::HobbyServoOptions hobby_servo;
   OnPort<roboclaw::MotorsOptions> motors;
   LaserMountOptions mount;
   TiltOptions tilt;
@@ -119,7 +123,12 @@ struct HardwareRobotOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("scanner", self.scanner, "the LMS-200");
-    visit("servo", self.servo, "the Dynamixel that tilts it");
+    visit(
+        "servo_kind", self.servo_kind,
+        "what tilts it, on the port servo.port: a Dynamixel, which measures where it is, or a hobby servo "
+        "on a Maestro, which follows by hobby_servo.lag");
+    visit("servo", self.servo, "the Dynamixel");
+    visit("hobby_servo", self.hobby_servo, "the hobby servo and its controller");
     visit("motors", self.motors, "the RoboClaw that drives the wheels");
     visit("mount", self.mount, "where the scanner sits on the base");
     visit("tilt", self.tilt, "how a 3D scan is taken");

@@ -31,18 +31,19 @@ slam::LaserSweep HardwareRobot::Stamped(slam::LaserSweep sweep) const {
 void HardwareRobot::WaitForMount(double angle) {
   constexpr double kLook = 0.02;  // [s]
   const double give_up = LineNow() + options_.tilt.max_time;
-  while (std::abs(servo_.State().angle - angle) > options_.tilt.tolerance) {
-    if (LineNow() > give_up) servo_.WaitFor(angle, options_.tilt.tolerance, 0.0);  // says what is wrong
+  while (std::abs(mount_->State().angle - angle) > options_.tilt.tolerance) {
+    if (LineNow() > give_up) mount_->FailStanding(angle);
     KeepSweepsUntil(LineNow() + kLook);
   }
+  if (mount_->settling() > 0.0) KeepSweepsUntil(LineNow() + mount_->settling());
 }
 
 /// Returns when the mount stands level.
 void HardwareRobot::Level() {
   if (level_) return;
   if (!levelling_) {
-    servo_.SetProfile(options_.tilt.fast, options_.tilt.acceleration);
-    servo_.MoveTo(0.0);
+    mount_->SetProfile(options_.tilt.fast, options_.tilt.acceleration);
+    mount_->MoveTo(0.0);
     levelling_ = true;
   }
   WaitForMount(0.0);
@@ -114,18 +115,18 @@ slam::Scan HardwareRobot::TakeScan() {
 std::optional<slam::Scan> HardwareRobot::TryScan() {
   const TiltOptions& tilt = options_.tilt;
   const double rate = TiltRate();
-  const double lead = LeadOf(tilt, rate, SweepDuration());
+  const double lead = LeadOf(tilt, rate, SweepDuration(), mount_->lag());
   level_ = false;
-  servo_.MoveTo(tilt.from - lead);
+  mount_->MoveTo(tilt.from - lead);
   WaitForMount(tilt.from - lead);
   latest_.reset();
   SweepAfter(LineNow());  // from now on they have times
-  servo_.SetProfile(rate, tilt.acceleration);
-  servo_.MoveTo(tilt.to + lead);
+  mount_->SetProfile(rate, tilt.acceleration);
+  mount_->MoveTo(tilt.to + lead);
   TiltTrack track(tilt.window);
   std::vector<slam::LaserSweep> sweeps = SweepsWhileTilting(track);
-  servo_.SetProfile(tilt.fast, tilt.acceleration);
-  servo_.MoveTo(0.0);
+  mount_->SetProfile(tilt.fast, tilt.acceleration);
+  mount_->MoveTo(0.0);
   levelling_ = true;
   latest_.reset();
   return ScanOf(std::move(sweeps), track);
@@ -141,7 +142,7 @@ std::vector<slam::LaserSweep> HardwareRobot::SweepsWhileTilting(TiltTrack& track
     std::optional<Lms200Sweep> sweep = scanner_.PollSweep(LineNow() + kSweepWait);
     if (!sweep) sweep = scanner_.NextSweep();
     sweeps.push_back(std::move(sweep->sweep));
-    const dynamixel::ServoState state = servo_.State();
+    const MountState state = mount_->State();
     track.Add(state.time, state.angle);
     angle = state.angle;
     if (LineNow() > give_up)

@@ -5,6 +5,7 @@
 
 #include <thread>
 
+#include "drivers/emulated/emulated_hobby_servo.h"
 #include "drivers/emulated/emulated_line.h"
 #include "drivers/emulated/emulated_lms200.h"
 #include "drivers/emulated/emulated_motors.h"
@@ -46,6 +47,8 @@ TEST(IdentifyDevice, KnowsEachDeviceByItsAnswer) {
   motor_options.baud = 115200;
   EmulatedMotors motors(motor_options);
   ExpectFound(motors, DeviceKind::kRoboclaw, 115200, "USB Roboclaw 2x15a v4.1.34, address 131");
+  EmulatedHobbyServo controller;
+  ExpectFound(controller, DeviceKind::kMaestro, 9600, "pulses of channel 0: 0 us, 1: 0 us");
 }
 
 TEST(IdentifyDevice, ChangesNothing) {
@@ -54,6 +57,10 @@ TEST(IdentifyDevice, ChangesNothing) {
   const double position = servo.position();
   EmulatedLine motor_line(motors);
   EmulatedLine servo_line(servo);
+  EmulatedHobbyServo controller;
+  EmulatedLine controller_line(controller);
+  EXPECT_TRUE(IdentifyDevice(controller_line));
+  EXPECT_EQ(controller.pulse(), 0.0) << "no question of another device is a pulse";
   EXPECT_TRUE(IdentifyDevice(motor_line));
   EXPECT_TRUE(IdentifyDevice(servo_line));
   EXPECT_EQ(motors.positions(), (std::array<double, 2>{0.0, 0.0}));

@@ -52,11 +52,14 @@ class SweepLog {
 /// A scanner, a line and a driver.
 struct Lms200Bench {
   explicit Lms200Bench(const Lms200Options& driver_options = {},
-                       const EmulatedLms200Options& device_options = {})
+                       const EmulatedLms200Options& device_options = {},
+                       EmulatedLineOptions line_options = {})
       : device(device_options, [this](double stamp, const slam::ScannerModel& scanner,
                                       std::size_t beams) { return log.Take(stamp, scanner, beams); }),
         turn_period(device_options.turn_period) {
-    auto owned = std::make_unique<EmulatedLine>(device);
+    if (!line_options.time) line_options.time = std::make_shared<VirtualTime>();
+    time = line_options.time;
+    auto owned = std::make_unique<EmulatedLine>(device, line_options);
     line = owned.get();
     driver = std::make_unique<Lms200>(std::move(owned), driver_options);
   }
@@ -86,6 +89,7 @@ struct Lms200Bench {
   SweepLog log;
   EmulatedLms200 device;
   double turn_period;
+  std::shared_ptr<VirtualTime> time;  // to be put forward while nobody reads
   EmulatedLine* line = nullptr;
   std::unique_ptr<Lms200> driver;
 };

@@ -136,6 +136,39 @@ TEST(Lms200Driver, ReadsReflectivityOfFastModelsOnly) {
   EXPECT_THAT(ErrorOf([&] { slow.driver->StartStream(); }), HasSubstr("refuses mode 0x50"));
 }
 
+/// A host that does not read for a while, or reads slowly, finds old sweeps in its buffer, perhaps not all
+/// of them: each gets the time when it was taken, or none. The mirror is a little slower than it should be.
+TEST(Lms200Driver, TakesNoOldSweepForANewOne) {
+  for (const std::size_t buffer : {512U, 4096U, 65536U, 1U << 20U}) {
+    for (const std::size_t read_size : {64U, 372U, 4096U}) {
+      SCOPED_TRACE(testing::Message() << "buffer " << buffer << ", reads of " << read_size);
+      EmulatedLms200Options slow;
+      slow.turn_period *= 1.0005;
+      EmulatedLineOptions host;
+      host.buffer = buffer;
+      host.read_size = read_size;
+      Lms200Bench bench(With(180, 1.0), slow, host);
+      bench.driver->StartStream();
+      RandomStream stream = NamedStream(buffer + read_size, "slow host");
+      int taken = 0;
+      for (int pause = 0; pause < 40; ++pause) {
+        bench.time->now += pause % 8 == 7 ? 60.0 : DrawUniform(stream, 0.0, 3.0);
+        const double each = DrawUniform(stream, 0.0, 0.03);  // that the host spends on a sweep [s]
+        const double until = bench.driver->Now() + 2.0;
+        while (bench.driver->Now() < until) {
+          const std::optional<Lms200Sweep> sweep = bench.driver->PollSweep(until);
+          if (!sweep) break;
+          ++taken;
+          ASSERT_TRUE(bench.IsRight(*sweep, 0.0034)) << "pause " << pause;  // a quarter of a turn
+          bench.time->now += each;
+        }
+      }
+      EXPECT_GT(taken, 300);
+      EXPECT_GT(bench.line->overrun(), 0U) << "a minute is 1.7 MB";
+    }
+  }
+}
+
 TEST(Lms200Driver, SaysWhatTheScannerSaysOfItself) {
   Lms200Bench bench(With(180, 1.0));
   bench.driver->StartStream();

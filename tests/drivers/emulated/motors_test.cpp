@@ -133,6 +133,75 @@ TEST(Motors, SayWhatIsWrong) {
   EXPECT_THAT(ErrorOf([&] { other.motors->Connect(); }), HasSubstr("address 129"));
 }
 
+/// A board that is held up for 80 ms again and again, as an emulated one is on a loaded machine.
+TEST(Motors, GoOnAfterLateAnswers) {
+  RandomStream stream = NamedStream(1, "late motors");
+  MotorsBench bench;
+  bench.motors->Connect();
+  int late = 0;
+  for (int i = 0; i < 500; ++i) {
+    LineFault held;
+    held.kind = LineFault::Kind::kDelay;
+    held.time = bench.line->Now() + DrawUniform(stream, 0.0, 0.04);
+    held.duration = DrawUniform(stream, 0.03, 0.12);
+    bench.line->Inject(held);
+    const double speed = i % 2 == 0 ? 500.0 : -800.0;
+    if (!bench.motors->SetSpeeds({speed, speed}, 1e9)) {
+      ++late;
+      EXPECT_FALSE(bench.motors->turning());
+      EXPECT_EQ(bench.device.speeds()[0], 0.0) << i;
+      continue;
+    }
+    EXPECT_EQ(bench.device.speeds()[0], speed) << i;
+    bench.motors->Encoders();
+    EXPECT_EQ(bench.device.speeds()[0], bench.motors->turning() ? speed : 0.0) << i;
+  }
+  EXPECT_GT(bench.motors->repeated(), 100U);
+  EXPECT_LT(late, 250);
+}
+
+/// A line on which nothing comes back from some time on.
+struct MutedLine : ByteStream {
+  explicit MutedLine(EmulatedDevice& device) : line(device) {}
+  std::string name() const override { return line.name(); }
+  double Now() const override { return line.Now(); }
+  Bytes Read(double deadline) override {
+    if (!muted) return line.Read(deadline);
+    line.Read(line.Now());
+    while (line.Now() < deadline) line.Read(deadline);
+    return {};
+  }
+  void Write(ByteView bytes) override { line.Write(bytes); }
+  void SetBaud(int baud) override { line.SetBaud(baud); }
+  int baud() const override { return line.baud(); }
+
+  EmulatedLine line;
+  bool muted = false;
+};
+
+/// The board hears each question, which puts off its own timeout; so the driver must stop the wheels.
+TEST(Motors, AreStoppedWithinATenthOfASecondOfSilence) {
+  EmulatedMotors device;
+  auto owned = std::make_unique<MutedLine>(device);
+  MutedLine& line = *owned;
+  MotorsOptions options;
+  options.timeout = 2.0;
+  options.recovery_time = 0.14;
+  Motors motors(std::move(owned), options);
+  motors.Connect();
+  ASSERT_TRUE(motors.SetSpeeds({1000.0, 1000.0}, 1e9));
+  line.muted = true;
+  const double silent = line.Now();
+  EXPECT_THAT(ErrorOf([&] { motors.Encoders(); }), HasSubstr("does not answer"));
+  EXPECT_LT(line.Now(), silent + 0.2);
+  EXPECT_EQ(device.speeds()[0], 0.0);
+  EXPECT_FALSE(motors.turning());
+  EXPECT_NEAR(device.positions()[0], 1000.0 * 0.1, 1000.0 * 0.02) << "it turned for 0.1 s";
+  line.muted = false;
+  EXPECT_TRUE(motors.SetSpeeds({1000.0, 1000.0}, 1e9));
+  EXPECT_EQ(device.speeds()[0], 1000.0);
+}
+
 /// No fault on the line makes wrong counts or a wrong speed.
 TEST(Motors, AreNeverWrongOverABadLine) {
   RandomStream stream = NamedStream(1, "motor faults");

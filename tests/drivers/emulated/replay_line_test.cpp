@@ -1,7 +1,7 @@
 // A line that was recorded makes the driver do and see all of it once more.
 #include <gtest/gtest.h>
 
-#include "drivers/hardware/recorded_stream.h"
+#include "drivers/hardware/recorded_lines.h"
 #include "tests/drivers/emulated/lms200_bench.h"
 
 namespace ariadne::drivers {
@@ -29,7 +29,10 @@ TEST(ReplayedLine, GivesTheSameSweepsToTheLastBit) {
   auto recording = std::make_unique<RecordingStream>(
       std::move(line), [&](const LineRecord& record) { records.push_back(record); });
   const std::vector<Lms200Sweep> live = TakeSome(std::move(recording), 1000);
-  const std::vector<Lms200Sweep> again = TakeSome(std::make_unique<RecordedStream>(records), 1000);
+  RecordedLines recorded = OneRecordedLine(records);
+  const std::vector<Lms200Sweep> again = TakeSome(recorded.Open(0), 1000);
+  recorded.ExpectEnd();
+  EXPECT_EQ(recorded.departure(), "");
   ASSERT_EQ(again.size(), live.size());
   for (std::size_t i = 0; i < live.size(); ++i) {
     EXPECT_EQ(again[i].sweep.stamp, live[i].sweep.stamp);

@@ -28,7 +28,7 @@ class LineLogTest : public testing::Test {
 
   static LineRecord AnyRecord(RandomStream& stream) {
     LineRecord record;
-    record.kind = static_cast<LineRecord::Kind>(stream() % 4);
+    record.kind = static_cast<LineRecord::Kind>(stream() % 6);
     record.time = static_cast<double>(stream() % 1000000) * 1e-4;
     record.baud = static_cast<int>(stream() % 500000);
     record.bytes.resize(stream() % 60);
@@ -56,6 +56,25 @@ TEST_F(LineLogTest, ReturnsWhatWasWritten) {
   EXPECT_EQ(ReadLineLog(folder_ / "log"), written_);
   EXPECT_THROW(LineLogWriter(folder_ / "log"), Error);
   EXPECT_THROW(ReadLineLog(folder_ / "none"), Error);
+}
+
+TEST_F(LineLogTest, KeepsNotesAmongTheRecords) {
+  {
+    LineLogWriter writer(folder_ / "log");
+    writer.Add(2, {LineRecord::Kind::kRead, 1.5, {7}});
+    writer.Note("it was told to stop");
+    writer.Add(2, {LineRecord::Kind::kRead, 2.5, {8}});
+  }
+  LineLogReader reader(folder_ / "log");
+  EXPECT_EQ(reader.Next()->line, 2);
+  const std::optional<LoggedRecord> note = reader.Next();
+  EXPECT_EQ(note->line, kNotesLine);
+  EXPECT_EQ(note->record.time, 1.5);
+  EXPECT_EQ(Describe(note->record), "noted: it was told to stop");
+  EXPECT_EQ(reader.Next()->record.bytes, Bytes{8});
+  EXPECT_FALSE(reader.Next());
+  EXPECT_FALSE(reader.Next()) << "the end stays the end";
+  EXPECT_EQ(reader.files().records, 3U);
 }
 
 TEST_F(LineLogTest, HasFilesOfLimitedSize) {

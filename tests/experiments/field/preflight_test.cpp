@@ -8,6 +8,7 @@
 
 #include "tests/drivers/emulated/robot/robot_bench.h"
 #include "tests/slam/io/support.h"
+#include "tests/support/error_of.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -67,6 +68,18 @@ TEST_F(PreflightTest, IsGreenForARobotInOrder) {
                            "battery", "emergency stop", "warnings", "test sweep", "wheels", "test scan"})
     EXPECT_THAT(text, HasSubstr(std::string("green  ") + name));
   EXPECT_THAT(text, HasSubstr("LMS200;30106x"));
+}
+
+TEST_F(PreflightTest, IsGreenWithAHobbyServo) {
+  bench_.hardware.servo_kind = bench_.emulated.servo_kind = drivers::ServoKind::kHobby;
+  bench_.hardware.tilt.from = -0.9;
+  bench_.hardware.tilt.to = 0.9;
+  for (const PreflightItem& item : Check()) {
+    EXPECT_TRUE(item.ok) << item.name << ": " << item.text;
+    if (item.name == "servo") EXPECT_THAT(item.text, HasSubstr("channel 0"));
+  }
+  bench_.hardware.tilt.to = 1.15;
+  EXPECT_THAT(ErrorOf([this] { Check(); }), HasSubstr("hardware.hobby_servo.min_angle"));
 }
 
 TEST_F(PreflightTest, IsRedForWhatIsWrongWithTheComputer) {

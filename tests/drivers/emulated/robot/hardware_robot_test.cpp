@@ -165,6 +165,41 @@ TEST(HardwareRobot, StopsTheWheelsAndSaysWhatIsWrong) {
               HasSubstr("without power"));
 }
 
+/// A person thinks, or a plan takes long: nobody reads meanwhile, and what was sent then is old.
+TEST(HardwareRobot, SeesWhatIsThereNowAfterALongThought) {
+  RobotBench bench(FurnishedRoom());
+  bench.robot->Connect();
+  for (const double seconds : {0.4, 3.0, 30.0}) {
+    bench.robot->TakeScan();
+    bench.motors->Read(bench.motors->Now() + seconds);  // while no other line is read
+    bench.robot->Drive({0.1, 0.0});
+    for (int i = 0; i < 3; ++i) {
+      const double now = bench.robot->Now();
+      const slam::LaserSweep sweep = bench.robot->TakeSweep();
+      EXPECT_GT(sweep.stamp, now - 0.1) << seconds;
+      EXPECT_LT(sweep.stamp, bench.robot->Now());
+      bench.motors->Read(bench.motors->Now() + seconds);  // and while it streams
+    }
+    bench.Halt();
+  }
+}
+
+/// A board that was silent for a moment: the wheels stand, and turn again with the next command.
+TEST(HardwareRobot, GoesOnAfterLateAnswersOfItsMotors) {
+  RobotBench bench(FurnishedRoom());
+  bench.robot->Connect();
+  const double start = bench.device.base().T_map_base_true().translation.x();
+  for (int i = 0; i < 8; ++i) {
+    bench.DriveFor({0.2, 0.0}, 0.3);
+    bench.motors->Inject(Fault(LineFault::Kind::kDelay, bench.motors->Now(), 0.05 * (i + 1)));
+  }
+  bench.DriveFor({0.2, 0.0}, 1.5);
+  EXPECT_GE(bench.robot->interruptions(), 2);
+  EXPECT_FALSE(bench.robot->State().blocked);
+  EXPECT_NEAR(bench.robot->State().velocity.forward, 0.2, 0.01);
+  EXPECT_GT(bench.device.base().T_map_base_true().translation.x() - start, 0.3);
+}
+
 /// A scanner that boots in the middle of a scan: found again, and the scan taken again.
 TEST(HardwareRobot, GoesOnWhereItCan) {
   RobotBench bench(FurnishedRoom());
@@ -179,6 +214,29 @@ TEST(HardwareRobot, GoesOnWhereItCan) {
   bench.DriveFor({0.2, 0.0}, 0.3);
   bench.robot->TakeSweep();  // waits for the scanner, and stands
   EXPECT_EQ(bench.device.motors().speeds()[0], 0.0);
+}
+
+/// A hobby servo measures nothing: its pitch is that of its pulse, a lag ago.
+TEST(HardwareRobot, ScansWithAHobbyServo) {
+  RobotBenchOptions options = Exact();
+  options.hardware.servo_kind = options.emulated.servo_kind = ServoKind::kHobby;
+  options.hardware.tilt.from = -0.9;
+  options.hardware.tilt.to = 0.9;
+  RobotBench bench(FurnishedRoom(), options);
+  bench.robot->Connect();
+  for (int i = 0; i < 2; ++i) {
+    const slam::Scan scan = bench.robot->TakeScan();
+    EXPECT_NEAR(static_cast<double>(scan.sweeps.size()), 128.0, 8.0);
+    EXPECT_LT(scan.sweeps.front().pitch, -0.87);
+    EXPECT_GT(scan.sweeps.back().pitch, 0.87);
+    const auto errors = ErrorsOf(scan, bench.robot->T_base_laser(), FurnishedRoom());
+    EXPECT_LT(errors[errors.size() / 2], 0.01);
+    EXPECT_LT(errors.back(), 0.03);
+  }
+  options.hardware.hobby_servo.lag = 0.0;  // what is wrong of the lag turns the scan
+  RobotBench wrong(FurnishedRoom(), options);
+  wrong.robot->Connect();
+  EXPECT_GT(ErrorsOf(wrong.robot->TakeScan(), wrong.robot->T_base_laser(), FurnishedRoom()).back(), 0.03);
 }
 
 TEST(HardwareRobot, SaysWhatHoldsTheMount) {

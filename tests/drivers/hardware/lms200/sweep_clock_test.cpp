@@ -112,5 +112,19 @@ TEST(SweepClock, TakesUpTheBeatOfADeviceThatWasReset) {
   EXPECT_LE(lost, 6);
 }
 
+/// What has waited has a time only where none is missing; many that wait make no beat.
+TEST(SweepClock, TellsNoTimeOfWhatHasWaitedAfterALoss) {
+  constexpr double kTurn = 1.0 / 75.0;
+  SweepClock clock(kTurn);
+  for (int i = 0; i < 10; ++i) clock.EndOf(i * kTurn);
+  EXPECT_NEAR(clock.EndOf(10.1 * kTurn, true).value_or(0.0), 10.0 * kTurn, 0.2 * kTurn) << "counted";
+  for (int i = 0; i < 50; ++i)
+    EXPECT_FALSE(clock.EndOf((20 + i) * kTurn, true)) << "9 were lost, or these are old";
+  EXPECT_FALSE(clock.EndOf(80 * kTurn));
+  clock.EndOf(81 * kTurn);
+  clock.EndOf(82 * kTurn);
+  EXPECT_TRUE(clock.EndOf(83 * kTurn)) << "what comes while somebody listens tells how many were lost";
+}
+
 }  // namespace
 }  // namespace ariadne::drivers::lms200
