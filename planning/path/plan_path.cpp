@@ -28,7 +28,7 @@ constexpr double kSameAngle = 0.1 * std::numbers::pi / 180.0;   // [rad]
 constexpr double kGuideSpread = 0.3;                            // [m]
 constexpr double kGuideTurn = 20.0 * std::numbers::pi / 180.0;  // [rad]
 constexpr int kLegIterations = 300;
-constexpr std::size_t kMostRasterPoses = 5000000;    // a second per million
+constexpr std::size_t kMostRasterPoses = 5000000;    // of a search that finds no way
 constexpr double kAroundLeg = 3.0, kInSight = 20.0;  // [m]
 constexpr double kShortLeg = 3.0, kLongLeg = 7.0;    // between stops on the way of a disc [m]
 constexpr double kShortStep = 0.3, kLongStep = 0.8;  // and on that of poses [m]
