@@ -29,9 +29,10 @@ double CornerSpeed(const RectangleOptions& robot, const DriveCommand& command) {
 /// The points that the robot can come near.
 std::vector<Vector2d> PointsWithin(const std::vector<Vector2d>& points_base, double distance,
                                    const RectangleOptions& robot) {
+  const PlacedRectangle here(robot, {});
   std::vector<Vector2d> near;
   for (const Vector2d& p : points_base) {
-    if (GapTo(robot, {}, p) <= distance) near.push_back(p);
+    if (here.GapTo(p) <= distance) near.push_back(p);
   }
   return near;
 }
@@ -39,8 +40,9 @@ std::vector<Vector2d> PointsWithin(const std::vector<Vector2d>& points_base, dou
 /// With no more margin than there is.
 RectangleOptions Fitted(RectangleOptions robot, const std::vector<Vector2d>& points) {
   robot.tolerance = std::min(robot.tolerance, kTolerance);
+  const PlacedRectangle here(robot, {});
   double clear = std::numeric_limits<double>::infinity();
-  for (const Vector2d& p : points) clear = std::min(clear, robot.margin + GapTo(robot, {}, p));
+  for (const Vector2d& p : points) clear = std::min(clear, robot.margin + here.GapTo(p));
   robot.margin = std::clamp(clear - robot.tolerance, -kDeepest, robot.margin);
   return robot;
 }
@@ -96,6 +98,7 @@ struct Push {
 Push PushOf(const DriveCommand& wanted, double speed, const std::vector<Vector2d>& points,
             const AvoidanceOptions& options) {
   const double sense = wanted.forward < 0.0 ? -1.0 : 1.0;  // backward, the world turned by half a turn
+  const PlacedRectangle here(options.robot, {});
   Push push;
   for (int k = 0; k < kPushSamples; ++k) {
     const double share = static_cast<double>(k) / kPushSamples;
@@ -103,7 +106,7 @@ Push PushOf(const DriveCommand& wanted, double speed, const std::vector<Vector2d
     const Eigen::Matrix2d R_robot_base = T_robot_base.RotationMatrix();
     for (const Vector2d& p_base : points) {
       const Vector2d p_robot = R_robot_base * p_base + T_robot_base.translation;
-      const double gap = std::max(0.0, GapTo(options.robot, {}, p_robot));
+      const double gap = std::max(0.0, here.GapTo(p_robot));
       if (gap >= options.repulsion_beside) continue;
       const Vector2d p = sense * p_robot;
       if (p.x() <= 0.0) continue;

@@ -184,7 +184,18 @@ Ring ConvexOutline(std::vector<Vector2d> points) {
 }
 
 double GapTo(const RectangleOptions& robot, const Pose2& T_map_robot, const Vector2d& p_map) {
-  return (FromCentre(robot, T_map_robot, p_map).cwiseAbs() - HalfSize(robot)).maxCoeff();
+  return PlacedRectangle(robot, T_map_robot).GapTo(p_map);
+}
+
+PlacedRectangle::PlacedRectangle(const RectangleOptions& robot, const Pose2& T_map_robot)
+    : R_robot_map_(T_map_robot.RotationMatrix().transpose()),
+      p_map_robot_(T_map_robot.translation),
+      p_robot_centre_(robot.centre_ahead, 0.0),
+      half_(HalfSize(robot)) {}
+
+double PlacedRectangle::GapTo(const Vector2d& p_map) const {
+  const Vector2d from_centre = R_robot_map_ * (p_map - p_map_robot_) - p_robot_centre_;
+  return (from_centre.cwiseAbs() - half_).maxCoeff();
 }
 
 double GapTo(const RectangleOptions& robot, const Pose2& T_map_robot, const Ring& outline) {

@@ -49,6 +49,18 @@ slam::Ring ConvexOutline(std::vector<Eigen::Vector2d> points);
 double GapTo(const RectangleOptions& robot, const slam::Pose2& T_map_robot, const Eigen::Vector2d& p_map);
 double GapTo(const RectangleOptions& robot, const slam::Pose2& T_map_robot, const slam::Ring& outline);
 
+/// The rectangle at a pose, for many points.
+class PlacedRectangle {
+ public:
+  PlacedRectangle(const RectangleOptions& robot, const slam::Pose2& T_map_robot);
+
+  double GapTo(const Eigen::Vector2d& p_map) const;
+
+ private:
+  Eigen::Matrix2d R_robot_map_;
+  Eigen::Vector2d p_map_robot_, p_robot_centre_, half_;  // [m]
+};
+
 /// Half the way of the corner that moves farthest on the arc between two poses: from the pose midway, no
 /// point of the rectangle gets farther [m].
 double HalfSweep(const RectangleOptions& robot, const slam::Pose2& from, const slam::Pose2& to);

@@ -79,8 +79,9 @@ class PathDrive {
     report_.poses_map.push_back(start);
     advanced_to_ = start;
     advanced_at_ = robot.Now();
+    const control::PlacedRectangle at_start(avoid_.robot, start);
     for (const Eigen::Vector2d& p_map : task.obstacles_map) {
-      const double gap = avoid_.robot.margin + control::GapTo(avoid_.robot, start, p_map);
+      const double gap = avoid_.robot.margin + at_start.GapTo(p_map);
       if (gap > kWithin) known_map_.push_back(p_map);
     }
   }
@@ -134,9 +135,10 @@ Eigen::Vector2d PathDrive::Nearer(const Eigen::Vector2d& p_base) const {
 std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
   std::vector<Eigen::Vector2d> points_base;
   const slam::Pose2 T_map_base = localizer_.T_map_base(), T_base_map = T_map_base.Inverse();
+  const Eigen::Matrix2d R_base_map = T_base_map.RotationMatrix();
   for (const Eigen::Vector2d& p_map : known_map_) {
     if ((p_map - T_map_base.translation).norm() < options_.known_within)
-      points_base.push_back(Nearer(T_base_map * p_map));
+      points_base.push_back(Nearer(R_base_map * p_map + T_base_map.translation));
   }
   return points_base;
 }

@@ -206,7 +206,7 @@ MissionResult Explorer::Finish(MissionEnd end) {
   result_.scans = map_.Scans();
   for (std::size_t i = 0; i < map_.size(); ++i) result_.registered.push_back(map_.registered(i));
   result_.area = map_.Area(0);
-  result_.obstacles_map = map_.Obstacles();
+  result_.obstacles_map = map_.LookAtGround().obstacles_map;
   result_.time = robot_.Now();
   return std::move(result_);
 }

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/mission/ground_map.h"
 #include "experiments/mission/mission_options.h"
-#include "slam/map/grid_votes.h"
 
 namespace ariadne::experiments {
 
@@ -24,7 +24,7 @@ class MissionMap {
   slam::MatchResult Finish() { return mapper_.Finish(); }
 
   /// Something stands there that the robot cannot pass, whatever the scans show.
-  void AddObstacle(const Eigen::Vector2d& p_map) { met_map_.push_back(p_map); }
+  void AddObstacle(const Eigen::Vector2d& p_map) { ground_.AddObstacle(p_map); }
 
   std::size_t size() const { return mapper_.scans().size(); }
   bool registered(std::size_t scan) const { return mapper_.scans()[scan].registered; }
@@ -46,31 +46,20 @@ class MissionMap {
   /// none where there are none.
   std::optional<slam::AlignModel> ModelAround(const Eigen::Vector2d& p_map, double reach) const;
 
-  /// Centres of the cells that are occupied up to the robot's height (but where the robot itself has
-  /// stood), what it has met, and the fence.
-  std::vector<Eigen::Vector2d> Obstacles();
+  /// What stands, or may stand, in the way, up to the robot's height; but for where it has stood.
+  Ground LookAtGround();
 
  private:
-  /// What a scan says of the cells around it, from where it lies now.
-  struct SeenCells {
-    slam::Pose3 T_map_laser;
-    slam::GridPart part;
-  };
-
   std::vector<slam::Pose3> RegisteredPoses() const;
-  void UpdateSeenCells();
-  slam::OccupancyGrid Grid();
 
   MissionOptions options_;
   slam::Pose3 T_base_laser_;
   slam::Mapper mapper_;
   ScanLoopArea area_;
-  std::vector<std::size_t> shown_;     // scans that the area knows
-  std::vector<SeenCells> seen_cells_;  // of those
+  std::vector<std::size_t> shown_;  // scans that the area knows
   std::vector<slam::PosedCloud> scans_;
   slam::Pose3 T_chain_laser_;  // the guesses' steps, one after the other, as the mapper takes odometry
-  std::vector<Eigen::Vector2d> met_map_;
-  std::vector<Eigen::Vector2d> fence_map_;
+  GroundMap ground_;
 };
 
 }  // namespace ariadne::experiments

@@ -5,6 +5,7 @@
 #include "control/approach_plan.h"
 #include "experiments/exploration/scan_loop_area.h"
 #include "experiments/mission/drive_path.h"
+#include "experiments/mission/ground_map.h"
 #include "planning/path/plan_path.h"
 #include "planning/view/view_planner.h"
 #include "slam/map/occupancy_grid.h"
@@ -85,6 +86,7 @@ struct MissionOptions {
   slam::MapperOptions mapper = RobotMapperOptions();
   ScanLoopAreaOptions area = RobotAreaOptions();
   slam::OccupancyGridOptions obstacles = RobotObstacleOptions();
+  ClearOptions clear;
   std::string heights = "1.5";
   planning::ViewPlannerOptions planner = RobotPlannerOptions();
   DriveBy drive_by = DriveBy::kPath;
@@ -101,6 +103,7 @@ struct MissionOptions {
     visit("mapper", self.mapper, "how scans are registered; odometry is the first guess");
     visit("area", self.area, "what is known to be free");
     visit("obstacles", self.obstacles, "what stands in the way, as high as the robot");
+    visit("clear", self.clear, "where nothing stands in the way that no scan has met");
     visit("heights", self.heights,
           "of the slices [m]: a, b, ... Each is planned in by itself, and of their views that with the "
           "highest value is taken; the paper has one to five, 1.5 in its example (4.2)");

@@ -6,6 +6,7 @@
 #include <functional>
 #include <utility>
 
+#include "experiments/mission/clear_way.h"
 #include "planning/path/geodesic.h"
 #include "slam/geometry/angles.h"
 
@@ -21,11 +22,12 @@ constexpr int kGivenUp = 2;              // drives to one place
 constexpr double kStep = 0.05;           // between the poses of a disc's path [m]
 
 planning::FreeSpace FreeSpaceAt(const Surroundings& around, std::size_t height,
-                                const planning::FreeSpaceOptions& options) {
+                                const planning::FreeSpaceOptions& options,
+                                std::span<const Eigen::Vector2d> obstacles_map) {
   std::vector<slam::Polygon2> plain;
   for (const planning::LabelledPolygon& polygon : around.areas[height])
     plain.push_back(planning::ToPolygon2(polygon));
-  return planning::FreeSpace(plain, options, around.obstacles_map);
+  return planning::FreeSpace(plain, options, obstacles_map);
 }
 
 /// A view that is worth a drive.
@@ -162,41 +164,84 @@ std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const 
   return drive;
 }
 
-std::optional<PlannedDrive> DriveByPath(const planning::FreeSpace& space, const Surroundings& around,
+/// The spaces of one height.
+struct Spaces {
+  planning::FreeSpace free;   // of all that is known to stand in the way
+  planning::FreeSpace clear;  // and of what may
+};
+
+Spaces SpacesAt(const Surroundings& around, std::size_t height, const planning::FreeSpaceOptions& options) {
+  std::vector<Eigen::Vector2d> doubtful_map = around.obstacles_map;
+  doubtful_map.insert(doubtful_map.end(), around.unclear_map.begin(), around.unclear_map.end());
+  return {FreeSpaceAt(around, height, options, around.obstacles_map),
+          FreeSpaceAt(around, height, options, doubtful_map)};
+}
+
+/// Which paths will do.
+struct PathRule {
+  planning::PathOptions path;
+  bool clear = false;  // all the way, or as far as it is worth a scan
+};
+
+std::optional<PlannedDrive> DriveByPath(const Spaces& spaces, const Surroundings& around,
                                         const Pose2& T_map_base, const Pose2& T_map_goal,
-                                        const planning::PathOptions& options, std::uint64_t seed) {
-  std::vector<Pose2> path = FindPath(space, T_map_base, around.trail_map, T_map_goal, options, seed);
-  if (path.empty()) return {};
+                                        const PathRule& rule, const MissionOptions& options,
+                                        std::uint64_t seed) {
+  const auto find = [&](const planning::FreeSpace& space) {
+    return FindPath(space, T_map_base, around.trail_map, T_map_goal, rule.path, seed);
+  };
   PlannedDrive drive;
-  drive.path_map = std::move(path);
-  drive.margin = options.footprint.margin;
+  drive.path_map = find(spaces.free);
+  if (drive.path_map.empty()) return {};
+  drive.margin = rule.path.footprint.margin;
+  const std::size_t clear =
+      rule.clear ? ClearPoses(drive.path_map, spaces.clear, rule.path.footprint) : drive.path_map.size();
+  if (clear == drive.path_map.size()) return drive;
+  std::vector<Pose2> detour = find(spaces.clear);
+  if (!detour.empty() && LengthOf(detour) <= options.clear.detour * LengthOf(drive.path_map)) {
+    drive.path_map = std::move(detour);
+    return drive;
+  }
+  drive.path_map.resize(clear);
+  drive.leg_only = true;
+  if (LengthOf(drive.path_map) < options.clear.min_leg) return {};
   return drive;
 }
 
-using PlanDrive =
-    std::function<std::optional<PlannedDrive>(const planning::FreeSpace& space, const Pose2& T_map_goal)>;
+using PlanDrive = std::function<std::optional<PlannedDrive>(const Spaces& spaces, const Pose2& T_map_goal)>;
+
+/// The best first.
+std::vector<PathRule> PathRules(const MissionOptions& options) {
+  std::vector<PathRule> rules;
+  for (const bool clear : {true, false}) {
+    if (clear && options.clear.gap <= 0.0) continue;
+    for (const double share : kMarginShares) {
+      rules.push_back({options.path, clear});
+      rules.back().path.footprint.margin *= share;
+    }
+  }
+  return rules;
+}
 
 /// Hands in the ways to get to a goal, the best first, until somebody has no need of more.
 void TryWays(const Surroundings& around, const Pose2& T_map_base, const MissionOptions& options,
              std::uint64_t seed, const std::function<void(const PlanDrive&)>& attempt) {
   if (options.drive_by != DriveBy::kPath) {
-    attempt([&](const planning::FreeSpace&, const Pose2& T_map_goal) {
+    attempt([&](const Spaces&, const Pose2& T_map_goal) {
       return DriveByApproach(around, T_map_base, T_map_goal, options);
     });
   }
   if (options.drive_by == DriveBy::kApproach) return;
-  for (const double share : kMarginShares) {
-    planning::PathOptions squeezed = options.path;
-    squeezed.footprint.margin *= share;
-    attempt([&](const planning::FreeSpace& space, const Pose2& T_map_goal) {
+  for (const PathRule& rule : PathRules(options)) {
+    attempt([&](const Spaces& spaces, const Pose2& T_map_goal) {
       std::optional<PlannedDrive> drive =
-          DriveByPath(space, around, T_map_base, T_map_goal, squeezed, seed);
+          DriveByPath(spaces, around, T_map_base, T_map_goal, rule, options, seed);
       if (drive) CutToLeg(options.max_leg, *drive);
       return drive;
     });
   }
-  attempt([&](const planning::FreeSpace& space, const Pose2& T_map_goal) {
-    std::optional<PlannedDrive> drive = DriveOfDisc(space, T_map_base, T_map_goal, options);
+  attempt([&](const Spaces& spaces, const Pose2& T_map_goal) {
+    std::optional<PlannedDrive> drive = DriveOfDisc(spaces.free, T_map_base, T_map_goal, options);
     if (drive) CutToLeg(options.max_leg, *drive);
     return drive;
   });
@@ -207,7 +252,9 @@ void TryWays(const Surroundings& around, const Pose2& T_map_base, const MissionO
 Surroundings SurroundingsOf(MissionMap& map, std::span<const Pose2> trail_map) {
   Surroundings around;
   for (std::size_t h = 0; h < map.height_count(); ++h) around.areas.push_back(map.Area(h));
-  around.obstacles_map = map.Obstacles();
+  Ground ground = map.LookAtGround();
+  around.obstacles_map = std::move(ground.obstacles_map);
+  around.unclear_map = std::move(ground.unclear_map);
   around.T_map_scans = map.T_map_scans();
   around.trail_map.assign(trail_map.begin(), trail_map.end());
   return around;
@@ -218,9 +265,9 @@ std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const Pose
                                           const MissionOptions& options, std::uint64_t seed) {
   const std::vector<RankedView> ranked = RankViews(around, T_map_base, failed, options, seed);
   const std::size_t count = std::min(ranked.size(), static_cast<std::size_t>(options.patience.targets));
-  std::vector<planning::FreeSpace> spaces;
+  std::vector<Spaces> spaces;
   for (std::size_t h = 0; h < around.areas.size(); ++h)
-    spaces.push_back(FreeSpaceAt(around, h, options.planner.free_space));
+    spaces.push_back(SpacesAt(around, h, options.planner.free_space));
   std::optional<PlannedDrive> drive;
   const auto try_all = [&](const auto& plan_drive) {
     for (std::size_t rank = 0; rank < count && !drive; ++rank) {
@@ -236,10 +283,10 @@ std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const Pose
 std::optional<PlannedDrive> PlanDriveTo(const Surroundings& around, const Pose2& T_map_base,
                                         const Pose2& T_map_goal, const MissionOptions& options,
                                         std::uint64_t seed) {
-  const planning::FreeSpace space = FreeSpaceAt(around, 0, options.planner.free_space);
+  const Spaces spaces = SpacesAt(around, 0, options.planner.free_space);
   std::optional<PlannedDrive> drive;
   TryWays(around, T_map_base, options, seed, [&](const auto& plan_drive) {
-    if (!drive) drive = plan_drive(space, T_map_goal);
+    if (!drive) drive = plan_drive(spaces, T_map_goal);
   });
   return drive;
 }

@@ -25,6 +25,7 @@ struct PlannedDrive {
 struct Surroundings {
   std::vector<std::vector<planning::LabelledPolygon>> areas;  // by height
   std::vector<Eigen::Vector2d> obstacles_map;
+  std::vector<Eigen::Vector2d> unclear_map;  // where something may stand that no scan has met
   std::vector<slam::Pose2> T_map_scans;
   std::vector<slam::Pose2> trail_map;  // driven last, to where the robot stands
 };
@@ -41,7 +42,8 @@ struct FailedTarget {
 /// that the rectangle has a path to with its whole margin, after it has gone back the way that it came
 /// until there is room for it; if the best few have none, with half of it; and at last the best view by
 /// the way of a disc. Places where drives have failed twice are passed over. Nothing where no view is worth
-/// a scan. Without any path to cut, the robot turns on the spot.
+/// a scan. Before each of these is taken, what no scan shows to be clear counts too: a path ends before it,
+/// or goes round it.
 std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const slam::Pose2& T_map_base,
                                           std::span<const FailedTarget> failed,
                                           const MissionOptions& options, std::uint64_t seed);

@@ -33,6 +33,7 @@
 #include "experiments/studies/register.h"
 #include "experiments/studies/simulate.h"
 #include "experiments/studies/table_1.h"
+#include "experiments/studies/walking_persons.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -141,6 +142,8 @@ const std::vector<Study>& AllStudies() {
       MakeStudy<AblationMissionOptions>("ablation_mission",
                                         "whole missions in buildings, as configured and otherwise",
                                         CheckAblationMission, RunAblationMission),
+      MakeStudy<WalkingPersonsOptions>("walking_persons", "a robot whose way persons cross",
+                                       CheckWalkingPersons, RunWalkingPersons),
       MakeStudy<AblationControlOptions>("ablation_control",
                                         "the paper's controller, its fallbacks, and pure pursuit",
                                         CheckAblationControl, RunAblationControl),

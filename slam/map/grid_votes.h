@@ -16,6 +16,9 @@ class GridVotes {
   void Vote(const GridPart& part);
   OccupancyGrid Finish() &&;
 
+  /// The layers that beams of any part went through, cell by cell.
+  const std::vector<Layers>& passed() const { return passed_; }
+
  private:
   /// A cell that is taken for occupied, and at which heights a beam would show that it is not.
   struct Thing {

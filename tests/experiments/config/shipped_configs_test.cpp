@@ -78,7 +78,7 @@ TEST(FindStudy, NamesThoseThatThereAre) {
       "there is no experiment 'table_2'; there are register, explore, optimize, posegraph_benchmark, "
       "extract, map, plan, simulate, table_1, fig_01, fig_02, fig_03, fig_04, fig_05, fig_06, fig_07, "
       "fig_08, fig_09, fig_10, fig_11, fig_12, fig_13, ablation_matching, ablation_features, "
-      "ablation_graph, ablation_nbv, ablation_mission, "
+      "ablation_graph, ablation_nbv, ablation_mission, walking_persons, "
       "ablation_control, planning_time");
   EXPECT_THAT(ErrorOf([] { FindStudy("", "my.yaml:1"); }), testing::StartsWith("my.yaml:1: there is no"));
 }
