@@ -26,6 +26,7 @@ constexpr int kWriggles = 2;           // rounds
 constexpr double kWithin = -0.03;      // the robot: cells that are coarser than what occupies them [m]
 constexpr double kSeenError = 0.015;   // of the scanners [m]
 constexpr double kOffPath = 0.02;      // by the controller and the localization [m]
+constexpr double kLookAhead = 0.5;     // for what moves, beyond the time to stop [s]
 constexpr double kTrailStep = 0.02;    // [m]
 constexpr double kTrailTurn = 0.02;    // [rad]
 
@@ -72,7 +73,8 @@ class PathDrive {
         task_(task),
         options_(options),
         avoid_(options.avoid),
-        stop_(stop) {
+        stop_(stop),
+        moving_(options.moving) {
     avoid_.robot.margin = std::min(avoid_.robot.margin, std::max(kSeenError, task.margin - kOffPath));
     known_margin_ = std::max(0.0, task.margin - kOffPath - avoid_.robot.margin);
     const slam::Pose2 start = localizer_.T_map_base();
@@ -94,6 +96,8 @@ class PathDrive {
   bool MustStop() const { return stop_ && stop_(); }
   std::vector<Eigen::Vector2d> KnownInTheWay() const;
   Eigen::Vector2d Nearer(const Eigen::Vector2d& p_base) const;
+  std::vector<Eigen::Vector2d> ToCome(std::span<const drivers::SafetySweep> sweeps,
+                                      const drivers::RobotState& state);
   void Go(const control::DriveCommand& command);
   control::DriveCommand GoAvoiding(const control::DriveCommand& wanted, bool known);
   void Halt();
@@ -117,6 +121,7 @@ class PathDrive {
   double due_ = 0.0;                             // the next command: real robots take time to answer [s]
   std::optional<Eigen::Vector2d> held_by_base_;  // that the scanners see
   BesideMemory beside_;
+  MovingThings moving_;
   std::vector<Eigen::Vector2d> known_map_;
   std::optional<Eigen::Vector2d> held_map_;  // that the scanners see, or the map knows
   DriveReport report_;
@@ -143,6 +148,21 @@ std::vector<Eigen::Vector2d> PathDrive::KnownInTheWay() const {
   return points_base;
 }
 
+/// Where what moves will be until the robot stands, if it brakes now; in its frame.
+std::vector<Eigen::Vector2d> PathDrive::ToCome(std::span<const drivers::SafetySweep> sweeps,
+                                               const drivers::RobotState& state) {
+  if (!options_.moving.watch) return {};
+  const slam::Pose2 &T_odom_base = state.odometry.T_odom_base, T_base_odom = T_odom_base.Inverse();
+  std::vector<Eigen::Vector2d> points = PointsOf(sweeps);
+  for (Eigen::Vector2d& p : points) p = T_odom_base * p;
+  moving_.Update(points, state.stamp);
+  const double braking = std::max(std::abs(state.velocity.forward) / avoid_.limits.acceleration,
+                                  std::abs(state.velocity.turning) / avoid_.limits.turning_acceleration);
+  std::vector<Eigen::Vector2d> places = moving_.PlacesUntil(kLookAhead + avoid_.reaction + braking);
+  for (Eigen::Vector2d& p : places) p = T_base_odom * p;
+  return places;
+}
+
 /// Returns what it did instead of what was wanted.
 control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted, bool known) {
   control::DriveCommand command = wanted;
@@ -151,9 +171,11 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
   if (options_.avoid_obstacles) {
     const drivers::RobotState state = robot_.State();
     const drivers::Velocity& velocity = state.velocity;
-    std::vector<Eigen::Vector2d> points_base =
-        beside_.Update(LookAround(robot_, localizer_.scanner(), state), state.odometry.T_odom_base);
+    const std::vector<drivers::SafetySweep> sweeps = LookAround(robot_, localizer_.scanner(), state);
+    std::vector<Eigen::Vector2d> points_base = beside_.Update(sweeps, state.odometry.T_odom_base);
     const std::size_t seen = points_base.size();
+    const std::vector<Eigen::Vector2d> to_come = ToCome(sweeps, state);
+    points_base.insert(points_base.end(), to_come.begin(), to_come.end());
     if (known) {
       const std::vector<Eigen::Vector2d> more = KnownInTheWay();
       points_base.insert(points_base.end(), more.begin(), more.end());
@@ -312,6 +334,7 @@ DriveReport PathDrive::Run() {
     const bool gives_up = Stalls();
     if (!gives_up && (!touches || held_at_start)) continue;
     report_.reason = Reason(gives_up);
+    if (gives_up && !held_by_base_) report_.held_map = held_map_;
     Halt();
     if (!gives_up) held_by_base_ = ContactPlace(robot_, localizer_.scanner(), *wanted);
     if (held_by_base_) report_.obstacles_map.push_back(localizer_.T_map_base() * *held_by_base_);

@@ -12,6 +12,7 @@
 #include "control/pure_pursuit.h"
 #include "drivers/robot.h"
 #include "experiments/mission/localizer.h"
+#include "experiments/mission/moving_things.h"
 #include "slam/geometry/pose2.h"
 
 namespace ariadne::experiments {
@@ -21,6 +22,7 @@ struct DriveOptions {
   LocalizerOptions localize;
   bool avoid_obstacles = true;
   control::AvoidanceOptions avoid;
+  MovingThingsOptions moving;
   double known_within = 2.0;
   double patience = 4.0;
   double back_off = 0.5;
@@ -33,6 +35,7 @@ struct DriveOptions {
     visit("avoid_obstacles", self.avoid_obstacles,
           "look with the safety scanners while driving, and give way (5.3)");
     visit("avoid", self.avoid, "how the robot gives way");
+    visit("moving", self.moving, "what walks into the robot's way");
     visit("known_within", self.known_within, Unit("m"), Range{0.0, 100.0},
           "of the robot, obstacles of the map count too: the safety scanners look below tables");
     visit("patience", self.patience, Unit("s"), Range{0.0, 1e4},
@@ -53,6 +56,7 @@ enum class DriveEnd {
 struct DriveReport {
   DriveEnd end = DriveEnd::kArrived;
   std::vector<Eigen::Vector2d> obstacles_map;  // that were met
+  std::optional<Eigen::Vector2d> held_map;     // what only the map knows, if that held the robot up
   std::string reason;                          // why it was given up
   std::vector<slam::Pose2> poses_map;          // driven, as the robot took itself to be, to its last place
   double length = 0.0;                         // [m]

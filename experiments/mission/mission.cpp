@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "slam/base/stopwatch.h"
 
@@ -27,6 +28,16 @@ double FreeArea(std::span<const planning::LabelledPolygon> area) {
   double sum = 0.0;
   for (const planning::LabelledPolygon& polygon : area) sum += slam::Area(planning::ToPolygon2(polygon));
   return sum;
+}
+
+/// Where what the map knows has held the robot up, the map or the robot err by more than half the margin of
+/// a path: one with half of it keeps the whole from there.
+void AddRing(const Eigen::Vector2d& p_map, double radius, std::vector<Eigen::Vector2d>& places_map) {
+  constexpr int kPlaces = 8;
+  for (int k = 0; k < kPlaces; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / kPlaces;
+    places_map.emplace_back(p_map + radius * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+  }
 }
 
 /// A mission under way.
@@ -67,6 +78,7 @@ class Explorer {
   std::vector<Pose2> trail_map_;  // of the last drive, to where the robot is
   MissionResult result_;
   std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
+  std::vector<Eigen::Vector2d> held_map_;       // of these, what has held the robot up
   std::vector<FailedTarget> failed_;
   int blocked_ = 0, unregistered_ = 0;  // in a row
 };
@@ -116,6 +128,8 @@ std::optional<PlannedDrive> Explorer::Plan() {
   const Stopwatch watch;
   Surroundings around = SurroundingsOf(map_, trail_map_);
   obstacles_map_ = around.obstacles_map;
+  for (const Eigen::Vector2d& p_map : held_map_)
+    AddRing(p_map, 0.5 * options_.path.footprint.margin, around.obstacles_map);
   const Pose2 T_map_base = map_.T_map_base(map_.size() - 1);
   const std::uint64_t seed = seed_ + map_.size();
   std::optional<PlannedDrive> drive;
@@ -154,6 +168,7 @@ void Explorer::Drive(const PlannedDrive& drive) {
   constexpr std::size_t kTrail = 2000;  // poses
   if (trail_map_.size() > kTrail) trail_map_.erase(trail_map_.begin(), trail_map_.end() - kTrail);
   for (const Eigen::Vector2d& p_map : report.obstacles_map) map_.AddObstacle(p_map);
+  if (report.held_map) held_map_.push_back(*report.held_map);
   for (const Pose2& pose : report.poses_map) {
     if (result_.path_map.empty() || (pose.translation - result_.path_map.back()).norm() > kPathStep)
       result_.path_map.push_back(pose.translation);

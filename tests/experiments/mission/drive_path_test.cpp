@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "slam/geometry/angles.h"
@@ -86,10 +87,16 @@ TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
     robot.Drive({});
     robot.WaitUntil(robot.Now() + 1.0);
     const Localizer localizer(robot, robot.T_map_base_true(), nullptr, scanner_, {});
-    return DrivePath(robot, localizer, {path, {}, {}, posts, margin}, {}, {}).end;
+    return DrivePath(robot, localizer, {path, {}, {}, posts, margin}, {}, {});
   };
-  EXPECT_EQ(drive(0.02), DriveEnd::kArrived);
-  EXPECT_EQ(drive(0.08), DriveEnd::kBlocked);
+  const DriveReport passed = drive(0.02), held = drive(0.08);
+  EXPECT_EQ(passed.end, DriveEnd::kArrived);
+  EXPECT_FALSE(passed.held_map);
+  EXPECT_EQ(held.end, DriveEnd::kBlocked);
+  ASSERT_TRUE(held.held_map);
+  EXPECT_TRUE(std::ranges::any_of(posts, [&](const Eigen::Vector2d& post) {
+    return (*held.held_map - post).norm() < 0.15;
+  })) << "one of the posts, as near as it may be";
 }
 
 TEST_F(DrivePathTest, ContactIsLeftByTheWayThatItCame) {

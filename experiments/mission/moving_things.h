@@ -1,0 +1,72 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <deque>
+#include <span>
+#include <vector>
+
+#include "slam/base/options.h"
+
+namespace ariadne::experiments {
+
+struct MovingThingsOptions {
+  bool watch = true;
+  double slowest = 0.3;
+  double largest = 0.8;
+  double gap = 0.2;
+  double jump = 0.25;
+  double memory = 0.5;
+  double least = 0.25;
+
+  template <typename Self, typename Visitor>
+  static void Visit(Self& self, Visitor& visit) {
+    visit("watch", self.watch, "stop for where what moves will be, not only for where it is (5.3)");
+    visit("slowest", self.slowest, Unit("m/s"), Range{0.01, 10.0},
+          "that counts as moving: the middle of what stands shifts when it is seen from elsewhere");
+    visit("largest", self.largest, Unit("m"), Range{0.05, 10.0}, "that is watched: larger things stand");
+    visit("gap", self.gap, Unit("m"), Range{0.01, 10.0}, "between the points of two things");
+    visit("jump", self.jump, Unit("m"), Range{0.01, 10.0},
+          "from sweep to sweep, beyond which it is another thing");
+    visit("memory", self.memory, Unit("s"), Range{0.05, 10.0}, "of which the speed is the mean");
+    visit("least", self.least, Unit("s"), Range{0.05, 10.0},
+          "that a thing is watched before it is believed");
+  }
+};
+
+/// What moves around a robot, such as a person's legs: runs of points of a sweep that are followed from
+/// sweep to sweep.
+class MovingThings {
+ public:
+  explicit MovingThings(const MovingThingsOptions& options = {}) : options_(options) {}
+
+  /// The points of one look around, each scanner's in the order of its beams, in a frame that stands [m],
+  /// at a time [s].
+  void Update(std::span<const Eigen::Vector2d> points_odom, double time);
+
+  /// Where what moves will be from now on, as long as it goes on as it does, until so much later [s].
+  std::vector<Eigen::Vector2d> PlacesUntil(double later) const;
+
+ private:
+  /// A run of points, from one end over its middle to the other.
+  struct Run {
+    Eigen::Vector2d middle_odom;
+    std::vector<Eigen::Vector2d> outline_odom;
+  };
+  struct Seen {
+    double time;
+    Eigen::Vector2d middle_odom;
+  };
+  /// One thing, as long as it is seen.
+  struct Track {
+    std::deque<Seen> seen;
+    Run now;
+  };
+
+  std::vector<Run> RunsOf(std::span<const Eigen::Vector2d> points_odom) const;
+  Eigen::Vector2d VelocityOf(const Track& track) const;
+
+  MovingThingsOptions options_;
+  std::vector<Track> tracks_;
+};
+
+}  // namespace ariadne::experiments

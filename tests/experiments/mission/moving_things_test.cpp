@@ -1,0 +1,76 @@
+#include "experiments/mission/moving_things.h"
+
+#include <gtest/gtest.h>
+
+#include "slam/base/random.h"
+
+namespace ariadne::experiments {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr double kPeriod = 0.05;  // [s]
+
+/// A wall along y = 4, and before it a leg of 12 cm at a place, both with the scanner's noise.
+std::vector<Vector2d> WallAndLeg(const Vector2d& leg, RandomStream& stream) {
+  const auto noisy = [&stream](double x, double y) {
+    const double dx = DrawNormal(stream, 0.0, 0.01);
+    const double dy = DrawNormal(stream, 0.0, 0.01);
+    return Vector2d(x + dx, y + dy);
+  };
+  std::vector<Vector2d> points;
+  for (double x = -3.0; x < leg.x() - 0.1; x += 0.07) points.push_back(noisy(x, 4.0));
+  for (double x = -0.06; x <= 0.06; x += 0.03) points.push_back(noisy(leg.x() + x, leg.y()));
+  for (double x = leg.x() + 0.1; x < 3.0; x += 0.07) points.push_back(noisy(x, 4.0));
+  return points;
+}
+
+std::vector<Vector2d> WatchedPlaces(const Vector2d& from, const Vector2d& velocity, double time,
+                                    double later) {
+  RandomStream stream = NamedStream(1, "leg");
+  MovingThings things;
+  for (double t = 0.0; t <= time + 1e-9; t += kPeriod)
+    things.Update(WallAndLeg(from + t * velocity, stream), t);
+  return things.PlacesUntil(later);
+}
+
+TEST(MovingThings, AreWhereTheyGoOnTo) {
+  const Vector2d from(-1.0, 2.0), velocity(1.2, -0.4);
+  const std::vector<Vector2d> places = WatchedPlaces(from, velocity, 0.6, 1.5);
+  ASSERT_FALSE(places.empty());
+  const Vector2d end = from + 2.1 * velocity;
+  double nearest = 100.0;
+  for (const Vector2d& place : places) {
+    nearest = std::min(nearest, (place - end).norm());
+    const double along = std::clamp((place - from).dot(velocity.normalized()), 0.0, 3.0);
+    EXPECT_LT((place - from - along * velocity.normalized()).norm(), 0.3) << "only along its way";
+  }
+  EXPECT_LT(nearest, 0.25);
+}
+
+TEST(MovingThings, AreNoneWhereAllStands) {
+  EXPECT_TRUE(WatchedPlaces({0.0, 2.0}, {0.0, 0.0}, 1.0, 2.0).empty());
+}
+
+TEST(MovingThings, AreNotBelievedAtOnce) {
+  EXPECT_TRUE(WatchedPlaces({0.0, 2.0}, {1.0, 0.0}, 0.1, 2.0).empty());
+}
+
+TEST(MovingThings, AreTheSameInAnotherFrame) {
+  RandomStream stream = NamedStream(2, "leg");
+  MovingThings here, there;
+  const Vector2d moved(5.0, -3.0);
+  for (double t = 0.0; t < 0.6; t += kPeriod) {
+    std::vector<Vector2d> points = WallAndLeg(Vector2d(t, 2.0), stream);
+    here.Update(points, t);
+    for (Vector2d& p : points) p += moved;
+    there.Update(points, t);
+  }
+  const std::vector<Vector2d> a = here.PlacesUntil(1.0), b = there.PlacesUntil(1.0);
+  ASSERT_EQ(a.size(), b.size());
+  ASSERT_FALSE(a.empty());
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_LT((a[i] + moved - b[i]).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace ariadne::experiments
