@@ -99,6 +99,21 @@ TEST(HardwareRobot, KnowsWhereItHasDriven) {
   EXPECT_LT(truth.translation.norm(), 0.2);
 }
 
+/// What the encoders have counted is of when they were read, not of when somebody heard of it.
+TEST(HardwareRobot, KnowsWhenItWasThere) {
+  RobotBench bench(FurnishedRoom());
+  bench.robot->Connect();
+  for (int i = 0; i < 30; ++i) {
+    bench.DriveFor({0.5, 0.0}, 0.05);
+    const RobotState state = bench.robot->State();
+    const auto& path = bench.device.base().path_true();
+    const auto after = std::ranges::lower_bound(path, state.stamp, {}, &TruePose::time);
+    ASSERT_NE(after, path.end());
+    const double way = after->T_map_base.translation.x() - 0.5 * (after->time - state.stamp);
+    if (i > 20) EXPECT_NEAR(state.odometry.T_odom_base.translation.x(), way, 0.0003);
+  }
+}
+
 /// A sweep of a robot that drives towards a wall is of where it was when the sweep was taken.
 TEST(HardwareRobot, LooksAheadWhileItDrives) {
   RobotBench bench(EmptyRoom({-4, -3, 0}, {4, 3, 2.7}));
