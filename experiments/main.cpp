@@ -71,15 +71,20 @@ int Main(int argc, char** argv) {
   return status;
 }
 
+/// Where the terminal is gone nobody hears it, which is no reason to abort.
+void Complain(const char* sentence) {
+  for (const char* part : {"ariadne: ", sentence, "\n"}) std::fputs(part, stderr);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
     return Main(argc, argv);
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "ariadne: not enough memory\n");
+    Complain("not enough memory");
   } catch (const std::exception& e) {
-    fmt::print(stderr, "ariadne: {}\n", e.what());
+    Complain(e.what());
   }
   return 1;
 }

@@ -27,6 +27,10 @@ double MonotonicTime() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// Bytes are handed over in pieces: of a UART's memory, or of a frame of USB, which are fewer wake-ups.
+constexpr std::size_t kFifo = 16;     // [B]
+constexpr double kFrameTime = 0.001;  // [s]
+
 constexpr std::array<std::pair<speed_t, int>, 8> kSpeeds{{{B9600, 9600},
                                                           {B19200, 19200},
                                                           {B38400, 38400},
@@ -95,8 +99,10 @@ void PtyServer::TakeSendings(double time) {
 double PtyServer::NextSend() const {
   if (outgoing_->sendings.empty()) return std::numeric_limits<double>::infinity();
   const Sending& first = outgoing_->sendings.front();
-  // In pieces of up to 16 bytes, as a UART hands them over.
-  const std::size_t piece = std::min(outgoing_->sent + 16, first.bytes.size());
+  const std::size_t left = first.bytes.size() - outgoing_->sent;
+  const auto in_a_frame =
+      first.byte_time > 0.0 ? static_cast<std::size_t>(kFrameTime / first.byte_time) : left;
+  const std::size_t piece = outgoing_->sent + std::min(left, std::max(kFifo, in_a_frame));
   return std::max(held_until_, first.start + static_cast<double>(piece) * first.byte_time);
 }
 

@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "drivers/emergency_stopped.h"
 #include "slam/base/error.h"
 
 namespace ariadne::drivers {
@@ -82,7 +83,8 @@ void GuardedRobot::Check() {
 slam::Scan GuardedRobot::TakeScan() {
   if (stop_.IsPressed()) {
     Check();
-    Fail("nothing is scanned: {}; release the emergency stop, or start again", stop_.reason());
+    throw EmergencyStopped(
+        fmt::format("nothing is scanned: {}; release the emergency stop, or start again", stop_.reason()));
   }
   return Guarded([&] {
     slam::Scan scan = robot_.TakeScan();
@@ -121,7 +123,8 @@ void GuardedRobot::Drive(const Velocity& velocity) {
   if (IsZero(velocity)) return SendSpeed(velocity);
   if (stop_.IsPressed()) {
     Check();
-    Fail("the robot does not drive: {}; release the emergency stop, or start again", stop_.reason());
+    throw EmergencyStopped(fmt::format(
+        "the robot does not drive: {}; release the emergency stop, or start again", stop_.reason()));
   }
   commanded_ = robot_.Now();
   Guarded([&] { RefreshSensors(); });

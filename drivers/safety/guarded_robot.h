@@ -29,7 +29,7 @@ struct GuardOptions {
 /// A robot whose wheels turn only while nothing is wrong. Three things are, and each sends zero speed
 /// within 100 ms of the robot's own time, as far as the robot's calls return within that:
 /// - the emergency stop is pressed: from then on only zero speed is accepted, and every other Drive and
-///   every TakeScan throws its reason, until it is released;
+///   every TakeScan throws EmergencyStopped with its reason, until it is released;
 /// - no sweep (of any scanner) is newer than the sensor timeout while the wheels are to turn: before that,
 ///   half way, the robot is asked for one; every Drive throws until there is one;
 /// - no command came within the command timeout: the next one is accepted.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/emergency_stopped.h"
 #include "slam/base/stopwatch.h"
 
 namespace ariadne::experiments {
@@ -54,6 +55,8 @@ class Explorer {
   MissionResult Run();
 
  private:
+  MissionResult Explore();
+
   void Status(const std::string& text) const {
     if (events_.on_status) events_.on_status(text);
   }
@@ -226,7 +229,17 @@ MissionResult Explorer::Finish(MissionEnd end) {
   return std::move(result_);
 }
 
+/// A robot that was told to stop may know so before it is asked here, and refuses what it is then told.
 MissionResult Explorer::Run() {
+  try {
+    return Explore();
+  } catch (const drivers::EmergencyStopped&) {
+    if (map_.size() == 0 || !IsStopped()) throw;
+    return Finish(MissionEnd::kStopped);
+  }
+}
+
+MissionResult Explorer::Explore() {
   AcquireAndRegister();
   for (;;) {
     if (const std::optional<MissionEnd> limit = Limit()) return Finish(*limit);

@@ -107,7 +107,9 @@ Table MissionWorldTable(const MissionTrials& trials, double target) {
 
 Table MissionDifferenceTable(const MissionTrials& trials, double penalty,
                              const BootstrapOptions& bootstrap) {
-  Table table{{"mission", "pairs", "scans to target", "scans", "way m", "walls %", "surface %"}, {}};
+  Table table{{"mission", "pairs", "scans to target", "scans", "way m", "walls %", "surface %",
+               "position mm", "map mm"},
+              {}};
   const std::vector<MissionTrials> groups = MissionTrialsBy(&MissionTrial::way, trials);
   for (std::size_t g = 1; g < groups.size(); ++g) {
     const auto difference = [&](double per_unit, const std::function<double(const MissionTrial&)>& value) {
@@ -121,7 +123,9 @@ Table MissionDifferenceTable(const MissionTrials& trials, double penalty,
          difference(1.0, [&](auto& t) { return std::min(penalty, t.target_scans); }),
          difference(1.0, [](auto& t) { return t.scans; }), difference(1.0, [](auto& t) { return t.path; }),
          difference(100.0, [](auto& t) { return t.covered; }),
-         difference(100.0, [](auto& t) { return t.verdict.surface_covered; })});
+         difference(100.0, [](auto& t) { return t.verdict.surface_covered; }),
+         difference(1000.0, [](auto& t) { return t.verdict.translation_rms; }),
+         difference(1000.0, [](auto& t) { return t.verdict.map_error_median; })});
   }
   return table;
 }

@@ -7,7 +7,7 @@
 
 namespace ariadne::fuzz {
 
-/// An entry point of slam/io or drivers/replay for bytes that nobody has looked at.
+/// An entry point of slam/io, drivers/replay or drivers/hardware for bytes that nobody has looked at.
 struct Reader {
   std::string_view name;  // of the fuzzer and of the folder of its corpus
   /// Whether the bytes are read. What was read is written, read, and written again: both writings must be

@@ -13,7 +13,7 @@ seconds=${1:-600}
 readers=${*:-$(ls "$source/tests/fuzz/corpus")}
 
 cmake -S "$source" -B "$build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-  -DARIADNE_FUZZ=ON > /dev/null
+  -DARIADNE_FUZZ=ON -DCMAKE_UNITY_BUILD=ON > /dev/null
 cmake --build "$build" --target fuzzers
 
 run_one() {

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "tests/system/program.h"
@@ -73,6 +74,29 @@ TEST_F(Replay, EndsWhereTheRunWasKilledOrStopped) {
                                     ? "all the same\nthe recording ends there\n"
                                     : "all the same\nthe mission ended as it did: it was stopped\n")));
   }
+}
+
+/// What a person has refused is on the record as well.
+TEST_F(Replay, RefusesWhatWasRefused) {
+  const Ended refused = Shell("echo yn | ariadne explore rooms.yaml --out run --approve -q");
+  ASSERT_EQ(refused.status, 0) << refused.err;
+  EXPECT_THAT(Must("replay -q run"),
+              AllOf(HasSubstr("2 scans, "),
+                    HasSubstr("all the same\nthe mission ended as it did: a plan was not approved\n")));
+}
+
+/// A servo that measures nothing tilts the scanner.
+TEST_F(Replay, DecidesTheSameWithAHobbyServo) {
+  Must(
+      "explore rooms.yaml --set hardware.servo_kind=hobby --set hardware.tilt.from=-0.9 "
+      "--set hardware.tilt.to=0.9 --out run -q");
+  const nlohmann::json metrics = nlohmann::json::parse(Content("run/metrics.json"));
+  EXPECT_EQ(metrics["scans"], 3);
+  EXPECT_EQ(metrics["refused"], 0);
+  EXPECT_LT(metrics["translation_rms_m"], 0.05);
+  EXPECT_LT(metrics["map_error_mean_m"], 0.03);
+  EXPECT_THAT(Must("replay run -q"), AllOf(HasSubstr("3 scans, "), HasSubstr("all the same\n")));
+  EXPECT_THAT(Must("log info run"), HasSubstr("aestro"));
 }
 
 TEST_F(Replay, SaysWhatItNeeds) {

@@ -67,6 +67,7 @@ class EmulatedRobot {
 
   /// The truth.
   const SimulatedBase& base() const { return base_; }
+  double PitchAt(double time) const;  // up to a second ago [rad]
 
   /// A wheel slips on something: the ground sees so much less of its way; 0 left, 1 right.
   void SetSlip(int wheel, double share) { slip_[static_cast<std::size_t>(wheel)] = share; }
@@ -74,7 +75,6 @@ class EmulatedRobot {
  private:
   slam::LaserSweep Measure(double stamp, const slam::ScannerModel& scanner, std::size_t beams);
   double Roll(const std::array<double, 2>& pulses, double time);
-  double PitchAt(double time) const;
 
   std::shared_ptr<const RayScene> scene_;
   control::DriveGeometry drive_;

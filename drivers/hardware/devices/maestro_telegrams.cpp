@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "drivers/hardware/devices/line_telegrams.h"
+#include "drivers/hardware/devices/answer_reader.h"
 #include "drivers/hardware/hobby_servo/maestro.h"
 
 namespace ariadne::drivers {
@@ -29,45 +29,33 @@ std::string MaestroText(const hobby_servo::Request& request) {
 }
 
 /// Answers are two bytes, and what was asked says which.
-class MaestroTelegramReader : public TelegramReader {
- public:
-  std::vector<LineTelegram> Take(const LineRecord& record) override {
-    std::vector<LineTelegram> telegrams;
-    if (record.kind == LineRecord::Kind::kWrite) Ask(record, telegrams);
-    if (record.kind == LineRecord::Kind::kRead) Answer(record, telegrams);
-    return telegrams;
-  }
-
- private:
-  void Ask(const LineRecord& record, std::vector<LineTelegram>& telegrams) {
+class MaestroTelegramReader : public AnswerReader<hobby_servo::Request> {
+ protected:
+  std::vector<hobby_servo::Request> RequestsIn(ByteView bytes) override {
     hobby_servo::RequestDecoder decoder;
-    decoder.Push(record.bytes);
-    while (const std::optional<hobby_servo::Request> request = decoder.Next()) {
-      if (asked_) telegrams.push_back({record.time, false, true, "no answer", {}});
-      const bool answered =
-          request->code == MaestroCode::kPosition || request->code == MaestroCode::kErrors;
-      asked_ = answered ? request : std::nullopt;
-      answer_.clear();
-      telegrams.push_back({record.time, true, false, MaestroText(*request), {}});
-    }
+    decoder.Push(bytes);
+    std::vector<hobby_servo::Request> requests;
+    while (const std::optional<hobby_servo::Request> request = decoder.Next()) requests.push_back(*request);
+    return requests;
   }
-
-  void Answer(const LineRecord& record, std::vector<LineTelegram>& telegrams) {
-    if (!asked_ || record.bytes.empty()) return;
-    answer_.insert(answer_.end(), record.bytes.begin(), record.bytes.end());
-    if (answer_.size() < 2) return;
-    const bool bad = answer_.size() > 2;
-    const int number = hobby_servo::NumberOf(answer_);
-    const std::string text = bad ? fmt::format("{} bytes too many", answer_.size() - 2)
-                             : asked_->code == MaestroCode::kPosition
-                                 ? fmt::format("pulse {} us", 0.25 * number)
-                                 : fmt::format("errors 0x{:04X}", number);
-    telegrams.push_back({record.time, false, bad, text, {}});
-    asked_.reset();
+  bool IsAnswered(const hobby_servo::Request& request) const override {
+    return request.code == MaestroCode::kPosition || request.code == MaestroCode::kErrors;
   }
+  std::string TextOf(const hobby_servo::Request& request) const override { return MaestroText(request); }
 
-  std::optional<hobby_servo::Request> asked_;
-  Bytes answer_;
+  std::optional<LineTelegram> Understand(const hobby_servo::Request& request,
+                                         ByteView answer) const override {
+    if (answer.size() < 2) return std::nullopt;
+    if (answer.size() > 2) Fail("{} bytes too many", answer.size() - 2);
+    const int number = hobby_servo::NumberOf(answer);
+    const bool position = request.code == MaestroCode::kPosition;
+    return LineTelegram{
+        0.0,
+        false,
+        false,
+        position ? fmt::format("pulse {} us", 0.25 * number) : fmt::format("errors 0x{:04X}", number),
+        {}};
+  }
 };
 
 }  // namespace

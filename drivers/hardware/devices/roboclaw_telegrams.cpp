@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "drivers/hardware/devices/line_telegrams.h"
+#include "drivers/hardware/devices/answer_reader.h"
 #include "drivers/hardware/roboclaw/packet.h"
 
 namespace ariadne::drivers {
@@ -62,58 +62,36 @@ void UnderstandReply(Code code, ByteView data, LineTelegram& telegram) {
   }
 }
 
-/// Replies have neither beginning nor kind: the request before them says both.
-class RoboclawTelegramReader : public TelegramReader {
- public:
-  std::vector<LineTelegram> Take(const LineRecord& record) override {
-    std::vector<LineTelegram> telegrams;
-    if (record.kind == LineRecord::Kind::kWrite) Ask(record, telegrams);
-    if (record.kind == LineRecord::Kind::kRead) Answer(record, telegrams);
-    return telegrams;
+class RoboclawTelegramReader : public AnswerReader<roboclaw::Request> {
+ protected:
+  std::vector<roboclaw::Request> RequestsIn(ByteView bytes) override {
+    const bool at_board = !bytes.empty() && bytes[0] >= 0x80 && bytes[0] <= 0x87;
+    if (!at_board) return {};
+    address_ = bytes[0];
+    roboclaw::RequestDecoder decoder(address_);
+    decoder.Push(bytes);
+    const std::optional<roboclaw::Request> request = decoder.Next();
+    if (!request) return {};
+    return {*request};
+  }
+  bool IsAnswered(const roboclaw::Request&) const override { return true; }
+  std::string TextOf(const roboclaw::Request& request) const override { return RequestText(request); }
+
+  std::optional<LineTelegram> Understand(const roboclaw::Request& request, ByteView answer) const override {
+    LineTelegram telegram{0.0, false, false, "done", {}};
+    if (roboclaw::IsWrite(request.code)) {
+      if (answer.size() != 1 || answer[0] != roboclaw::kAcknowledged)
+        Fail("an answer that is none to a command");
+      return telegram;
+    }
+    const std::optional<Bytes> data = roboclaw::DecodeReply(address_, request.code, answer);
+    if (!data) return std::nullopt;
+    UnderstandReply(request.code, *data, telegram);
+    return telegram;
   }
 
  private:
-  void Ask(const LineRecord& record, std::vector<LineTelegram>& telegrams) {
-    const bool at_board = !record.bytes.empty() && record.bytes[0] >= 0x80 && record.bytes[0] <= 0x87;
-    if (!at_board) return;
-    address_ = record.bytes[0];
-    roboclaw::RequestDecoder decoder(address_);
-    decoder.Push(record.bytes);
-    if (pending_) {
-      telegrams.push_back({record.time,
-                           false,
-                           true,
-                           reply_.empty() ? "no answer" : "half an answer, or a wrong checksum",
-                           {}});
-    }
-    pending_ = decoder.Next();
-    reply_.clear();
-    if (pending_) telegrams.push_back({record.time, true, false, RequestText(*pending_), {}});
-  }
-
-  void Answer(const LineRecord& record, std::vector<LineTelegram>& telegrams) {
-    if (!pending_ || record.bytes.empty()) return;
-    reply_.insert(reply_.end(), record.bytes.begin(), record.bytes.end());
-    LineTelegram telegram{record.time, false, false, "done", {}};
-    try {
-      if (roboclaw::IsWrite(pending_->code)) {
-        if (reply_ != Bytes{roboclaw::kAcknowledged}) Fail("an answer that is none to a command");
-      } else {
-        const std::optional<Bytes> data = roboclaw::DecodeReply(address_, pending_->code, reply_);
-        if (!data) return;
-        UnderstandReply(pending_->code, *data, telegram);
-      }
-    } catch (const Error& error) {
-      telegram.bad = true;
-      telegram.text = error.what();
-    }
-    pending_.reset();
-    telegrams.push_back(std::move(telegram));
-  }
-
   std::uint8_t address_ = 0x80;
-  std::optional<roboclaw::Request> pending_;
-  Bytes reply_;
 };
 
 }  // namespace

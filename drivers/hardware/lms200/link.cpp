@@ -32,6 +32,7 @@ void Link::SetBaud(int baud) {
   line_.SetBaud(baud);
   counters_.garbage += decoder_.garbage();
   decoder_ = TelegramDecoder(Sender::kDevice);
+  pieces_.clear();
 }
 
 double Link::UsualAck() const {
@@ -41,18 +42,39 @@ double Link::UsualAck() const {
   return sorted[sorted.size() / 2];
 }
 
+void Link::TakeIn(const Bytes& bytes) {
+  last_byte_ = line_.Now();
+  while (!pieces_.empty() && pieces_.front().end <= decoder_.position()) pieces_.pop_front();
+  const std::uint64_t before = pieces_.empty() ? decoder_.position() : pieces_.back().end;
+  pieces_.push_back({before + bytes.size(), last_byte_});
+  decoder_.Push(bytes);
+}
+
+/// Adapters hand over bytes in pieces, up to a piece late. As a telegram's bytes follow each other on the
+/// line, each piece tells by when its last one was sent; the earliest of that is the least late.
+double Link::TimeOfEnd(const Received& received) {
+  if (received.kind != Received::Kind::kTelegram) return last_byte_;
+  const std::uint64_t begin = received.end - received.telegram.payload.size() - kFrameSize;
+  double time = last_byte_;
+  for (const Piece& piece : pieces_) {
+    if (piece.end <= begin) continue;
+    const std::uint64_t missing = received.end - std::min(piece.end, received.end);
+    time = std::min(time, piece.time + TimeOf(missing));
+  }
+  return time;
+}
+
 /// What is there at once has come while nobody listened; behind it all is new.
 std::optional<Link::Item> Link::NextItem(double deadline) {
   for (bool drained = false;;) {
     if (const std::optional<Received> received = decoder_.Next())
-      return Item{*received, last_byte_, waited_};
+      return Item{*received, TimeOfEnd(*received), waited_};
     const bool waiting = decoder_.IsWaiting();
     const double until = waiting ? std::min(deadline, last_byte_ + kLongestPause) : deadline;
     const Bytes bytes = line_.Read(drained ? until : line_.Now());
     if (!bytes.empty()) {
-      last_byte_ = line_.Now();
+      TakeIn(bytes);
       waited_ = !drained;
-      decoder_.Push(bytes);
     } else if (!drained) {
       drained = true;
     } else if (waiting && line_.Now() >= last_byte_ + kLongestPause) {

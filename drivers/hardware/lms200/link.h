@@ -34,7 +34,7 @@ class Link {
 
   struct Arrived {
     Reply reply;
-    double time = 0.0;     // when the last byte was there [s]
+    double time = 0.0;     // when the last byte was there, or would have been if none had waited [s]
     std::size_t size = 0;  // of the frame [B]
     double asked = 0.0;    // when the request had left, of the reply to one [s]
     bool waited = false;   // it was there before anybody listened, nobody knows for how long
@@ -67,17 +67,25 @@ class Link {
     double time;
     bool waited;
   };
+  /// Bytes that were read in one go.
+  struct Piece {
+    std::uint64_t end;  // in the decoder's stream [B]
+    double time;        // [s]
+  };
 
   std::optional<Item> NextItem(double deadline);
+  void TakeIn(const Bytes& bytes);
+  double TimeOfEnd(const Received& received);
   std::optional<Arrived> ReplyOf(const Item& item);
   std::optional<Arrived> AskOnce(const Command& command, double reply_time);
 
   ByteStream& line_;
   TelegramDecoder decoder_{Sender::kDevice};
   LinkCounters counters_;
-  double last_byte_ = 0.0;   // [s]
-  bool waited_ = false;      // what was read last was there before anybody listened
-  std::deque<double> acks_;  // how long the latest took [s]
+  std::deque<Piece> pieces_;  // that telegrams may still be in
+  double last_byte_ = 0.0;    // [s]
+  bool waited_ = false;       // what was read last was there before anybody listened
+  std::deque<double> acks_;   // how long the latest took [s]
 };
 
 }  // namespace ariadne::drivers::lms200

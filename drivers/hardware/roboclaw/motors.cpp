@@ -75,6 +75,7 @@ void Motors::Answered(Code code) {
 std::optional<Bytes> Motors::Exchange(Code code, const Bytes& request, double deadline) {
   line_->Read(line_->Now());
   line_->Write(request);
+  asked_ = line_->Now() + static_cast<double>(request.size()) * 10.0 / options_.baud;
   Bytes bytes;
   FoundReply found;
   for (double until = deadline; line_->Now() < until && found.can_come;) {
@@ -208,9 +209,8 @@ void Motors::Stop() { SetSpeeds({0.0, 0.0}, kQuickest); }
 
 EncoderCounts Motors::Encoders() {
   line_->Read(line_->Now());  // a recorded line knows the time of its last call only
-  const double asked = line_->Now();
   const Bytes data = Ask(Code::kEncoders);
-  const EncoderCounts counts{0.5 * (asked + line_->Now()), {SignedAt(data, 0), SignedAt(data, 4)}};
+  const EncoderCounts counts{asked_, {SignedAt(data, 0), SignedAt(data, 4)}};
   FailIfRestarted();
   return counts;
 }

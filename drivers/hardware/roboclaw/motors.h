@@ -42,7 +42,7 @@ using Pair = std::array<double, 2>;
 
 /// The encoders' counts, which wrap around at 32 bits.
 struct EncoderCounts {
-  double time = 0.0;  // between request and reply [s]
+  double time = 0.0;  // when the board had the request: it looks at once, adapters keep replies back [s]
   std::array<std::int32_t, 2> counts{};
 };
 
@@ -107,6 +107,7 @@ class Motors {
   MotorsOptions options_;
   std::string version_;
   std::uint64_t repeated_ = 0;  // requests
+  double asked_ = 0.0;          // when the last one had left [s]
   std::vector<Code> late_;      // requests without an answer, which may come yet
   bool turning_ = false;
   bool halting_ = false;  // zero speed was sent, and nobody knows whether it was heard

@@ -51,6 +51,18 @@ TEST(Lms200Driver, MissesNoSweepAt500000Baud) {
   }
 }
 
+/// An adapter hands over bytes up to its own period late, in step with the mirror or not.
+TEST(Lms200Driver, KnowsTimesBetterThanItsAdapter) {
+  for (const double adapter : {0.0, 0.001, 0.0017, 0.004}) {
+    EmulatedLineOptions line;
+    line.chunk_time = adapter;
+    Lms200Bench bench(With(180, 1.0), {}, line);
+    bench.driver->StartStream();
+    for (int i = 0; i < 50; ++i) bench.driver->NextSweep();
+    for (int i = 0; i < 300; ++i) ASSERT_TRUE(bench.IsRight(bench.driver->NextSweep(), 5e-5)) << adapter;
+  }
+}
+
 TEST(Lms200Driver, FindsTheScannerAtAnyRate) {
   for (const int rate : lms200::kBaudRates) {
     for (const bool at_new : {false, true}) {

@@ -11,14 +11,16 @@
 namespace ariadne::drivers {
 namespace {
 
+bool SameMemory(const std::vector<float>& a, const std::vector<float>& b) {
+  if (a.size() != b.size()) return false;
+  return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
 /// The memory of the numbers of a sweep, which is the oracle here: equal memory, equal bits.
 void ExpectSameSweep(const slam::LaserSweep& a, const slam::LaserSweep& b) {
   EXPECT_EQ(std::memcmp(&a.stamp, &b.stamp, 3 * sizeof(double)), 0);
-  ASSERT_EQ(a.ranges.size(), b.ranges.size());
-  ASSERT_EQ(a.reflectance.size(), b.reflectance.size());
-  EXPECT_EQ(std::memcmp(a.ranges.data(), b.ranges.data(), a.ranges.size() * sizeof(float)), 0);
-  EXPECT_EQ(std::memcmp(a.reflectance.data(), b.reflectance.data(), a.reflectance.size() * sizeof(float)),
-            0);
+  EXPECT_TRUE(SameMemory(a.ranges, b.ranges));
+  EXPECT_TRUE(SameMemory(a.reflectance, b.reflectance));
 }
 
 template <typename Call>

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "drivers/emergency_stopped.h"
 #include "tests/support/error_of.h"
 
 namespace ariadne::drivers {
@@ -101,6 +102,8 @@ TEST_F(GuardedRobotTest, StopsWithin100MsOfTheEmergencyStopAndStaysSo) {
   EXPECT_THAT(ErrorOf([&] { guarded_.Drive({0.1, 0.0}); }), HasSubstr("a key was pressed"));
   EXPECT_THAT(ErrorOf([&] { guarded_.Drive({0.0, 0.1}); }), HasSubstr("a key was pressed"));
   EXPECT_THAT(ErrorOf([&] { guarded_.TakeScan(); }), HasSubstr("a key was pressed"));
+  EXPECT_THROW(guarded_.TakeScan(), EmergencyStopped);  // other than what is broken
+  EXPECT_THROW(guarded_.Drive({0.1, 0.0}), EmergencyStopped);
   EXPECT_EQ(robot_.scans, 0);
   EXPECT_NO_THROW(guarded_.Drive({}));
   EXPECT_TRUE(guarded_.State().blocked);

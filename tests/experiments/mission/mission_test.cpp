@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "drivers/emergency_stopped.h"
 #include "drivers/replay/fast_forward.h"
 #include "drivers/replay/recording_robot.h"
 #include "drivers/replay/replay_robot.h"
@@ -107,6 +108,36 @@ TEST(Mission, StopsWhenItIsToldTo) {
   EXPECT_EQ(robot.State().velocity.forward, 0.0);
   EXPECT_EQ(robot.State().velocity.turning, 0.0);
   EXPECT_LT(robot.Now(), 12.0) << "braking, and no further scan than that under way";
+}
+
+/// Refuses its second scan because of its emergency stop.
+class RefusingRobot : public drivers::SimulatedRobot {
+ public:
+  using SimulatedRobot::SimulatedRobot;
+  slam::Scan TakeScan() override {
+    if (scans_++ > 0) {
+      refused_ = true;
+      throw drivers::EmergencyStopped("nothing is scanned");
+    }
+    return SimulatedRobot::TakeScan();
+  }
+  bool refused() const { return refused_; }
+
+ private:
+  int scans_ = 0;
+  bool refused_ = false;
+};
+
+/// Whether somebody stops the mission between the end of a drive and a scan, which no question sees.
+TEST(Mission, IsStoppedWhereItsRobotIs) {
+  RefusingRobot stopped(TwoRoomsScene(), QuickRobot(), 1);
+  MissionEvents events;
+  events.stop = [&] { return stopped.refused(); };
+  const MissionResult result = RunMission(stopped, QuickMission(), 1, events);
+  EXPECT_EQ(result.end, MissionEnd::kStopped);
+  EXPECT_EQ(result.stops.size(), 1U);
+  RefusingRobot broken(TwoRoomsScene(), QuickRobot(), 1);  // stopped by nobody who is known
+  EXPECT_THROW(RunMission(broken, QuickMission(), 1), drivers::EmergencyStopped);
 }
 
 TEST(Mission, DrivesOnlyWhatIsApproved) {

@@ -50,6 +50,27 @@ TEST(HardwareRobot, KnowsWhereTheMountWas) {
   EXPECT_NEAR(scan.sweeps[60].pitch_rate, slam::RadFromDeg(120.0) / 1.7067, 0.02);
 }
 
+/// Neither bytes that wait in an adapter nor the servo's steps turn a scan: 0.1 mrad is 1 mm at 10 m.
+TEST(HardwareRobot, KnowsThePitchOfEachSlice) {
+  RobotBench bench(FurnishedRoom());
+  bench.robot->Connect();
+  bench.Watch();
+  const double start = bench.motors->Now() - bench.robot->Now();
+  for (int scan = 0; scan < 4; ++scan) {
+    bench.truths.clear();
+    double sum = 0.0, squares = 0.0, count = 0.0;
+    for (const slam::LaserSweep& sweep : bench.robot->TakeScan().sweeps) {
+      const auto truth = bench.TruthAt(start + sweep.stamp);
+      EXPECT_NEAR(start + sweep.stamp, truth.stamp, 0.0001);
+      sum += sweep.pitch - truth.pitch;
+      squares += std::pow(sweep.pitch - truth.pitch, 2);
+      count += 1.0;
+    }
+    EXPECT_NEAR(sum / count, 0.0, 5e-5);
+    EXPECT_LT(std::sqrt(squares / count), 2e-4);
+  }
+}
+
 TEST(HardwareRobot, SeesTheSameWhereItIsReversedAndSwapped) {
   RobotBenchOptions options = Exact();
   options.hardware.swapped = true;
@@ -76,6 +97,21 @@ TEST(HardwareRobot, KnowsWhereItHasDriven) {
   EXPECT_NEAR(odometry.angle, truth.angle, 0.002);
   EXPECT_NEAR(truth.angle, 0.0, 0.2);  // a square
   EXPECT_LT(truth.translation.norm(), 0.2);
+}
+
+/// What the encoders have counted is of when they were read, not of when somebody heard of it.
+TEST(HardwareRobot, KnowsWhenItWasThere) {
+  RobotBench bench(FurnishedRoom());
+  bench.robot->Connect();
+  for (int i = 0; i < 30; ++i) {
+    bench.DriveFor({0.5, 0.0}, 0.05);
+    const RobotState state = bench.robot->State();
+    const auto& path = bench.device.base().path_true();
+    const auto after = std::ranges::lower_bound(path, state.stamp, {}, &TruePose::time);
+    ASSERT_NE(after, path.end());
+    const double way = after->T_map_base.translation.x() - 0.5 * (after->time - state.stamp);
+    if (i > 20) EXPECT_NEAR(state.odometry.T_odom_base.translation.x(), way, 0.0003);
+  }
 }
 
 /// A sweep of a robot that drives towards a wall is of where it was when the sweep was taken.

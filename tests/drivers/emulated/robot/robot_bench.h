@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
+#include <vector>
 
 #include "drivers/emulated/robot/emulated_lines.h"
 #include "drivers/hardware/robot/hardware_robot.h"
@@ -50,6 +53,29 @@ struct RobotBench {
   void Halt() const {
     while (robot->State().velocity.forward != 0.0 || robot->State().velocity.turning != 0.0)
       DriveFor({}, 0.05);
+  }
+
+  /// Remembers what the devices did in each sweep of the scanner from now on.
+  void Watch() {
+    device.SetCatchUp([this](double until) {
+      servo->CatchUp(until);
+      motors->CatchUp(until);
+      const double begin = until - kTurn;
+      truths.push_back({begin, device.PitchAt(begin)});
+    });
+  }
+
+  static constexpr double kTurn = 1.0 / 75.0;  // of the scanner's mirror [s]
+  struct Truth {
+    double stamp;  // of the sweep's beginning, by the lines' clock [s]
+    double pitch;  // then [rad]
+  };
+  std::vector<Truth> truths;
+
+  /// Of the sweep that began nearest to a time of the lines' clock [s].
+  Truth TruthAt(double time) const {
+    return *std::ranges::min_element(truths, {},
+                                     [time](const Truth& truth) { return std::abs(truth.stamp - time); });
   }
 
   std::shared_ptr<const RayScene> scene;
