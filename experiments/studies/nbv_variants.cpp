@@ -95,13 +95,23 @@ const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
        }},
       {"c1",
        [](const ExploreOptions& base) {
-         return Numbers<double>("c1", base, {0.0, 0.05, 0.08, 0.1, 0.2, 0.5, 1.0, 5.0},
+         return Numbers<double>("c1", base, {0.0, 0.05, 0.08, 0.1, 0.12, 0.2, 0.5, 1.0, 5.0},
                                 [](ExploreOptions& e, double c) { e.planner.view.distance_weight = c; });
        }},
       {"c2",
        [](const ExploreOptions& base) {
          return Numbers<double>("c2", base, {0.0, 0.001, 0.002, 0.005, 0.01},
                                 [](ExploreOptions& e, double c) { e.planner.view.angle_weight = c; });
+       }},
+      {"rest",
+       [](const ExploreOptions& base) {
+         return Numbers<double>("rest", base, {0.0, 0.5, 1.0, 2.0},
+                                [](ExploreOptions& e, double w) { e.planner.view.rest_weight = w; });
+       }},
+      {"least_share",
+       [](const ExploreOptions& base) {
+         return Numbers<double>("least_share", base, {0.0, 0.2, 0.4, 0.6},
+                                [](ExploreOptions& e, double share) { e.planner.least_share = share; });
        }},
       {"field_of_view",
        [](const ExploreOptions& base) {
