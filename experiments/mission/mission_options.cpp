@@ -9,9 +9,6 @@ planning::ViewPlannerOptions RobotPlannerOptions() {
   options.free_space.resolution = 0.05;
   options.candidates.wall_clearance = 0.5;
   options.min_overlap = 0.2;
-  // A mission goes to its end, and would have to come back for what is left for later.
-  options.least_share = 0.0;
-  options.view.distance_weight = 0.1;
   options.min_opening = 0.3;
   return options;
 }

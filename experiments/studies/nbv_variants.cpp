@@ -95,7 +95,7 @@ const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
        }},
       {"c1",
        [](const ExploreOptions& base) {
-         return Numbers<double>("c1", base, {0.0, 0.05, 0.08, 0.1, 0.13, 0.2, 0.5, 1.0, 5.0},
+         return Numbers<double>("c1", base, {0.0, 0.05, 0.08, 0.1, 0.2, 0.5, 1.0, 5.0},
                                 [](ExploreOptions& e, double c) { e.planner.view.distance_weight = c; });
        }},
       {"c2",

@@ -264,7 +264,6 @@ ViewPlannerOptions PaperViewPlannerOptions() {
   options.second_look = 0;
   options.look_again = 1000.0;
   options.refined = 0;
-  options.least_share = 0.0;
   options.view = PaperNextViewOptions();
   return options;
 }

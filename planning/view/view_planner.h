@@ -39,7 +39,7 @@ struct ViewPlannerOptions {
   double robot_radius = 0.3;
   double view_clearance = 0.0;
   double min_overlap = 0.0;
-  double least_share = 0.4;
+  double least_share = 0.0;
   int second_look = 1000;
   double piece = 0.5;
   double look_again = 0.5;
@@ -69,7 +69,8 @@ struct ViewPlannerOptions {
     visit("least_share", self.least_share, Unit("share"), Range{0.0, 1.0},
           "of the largest gain of all candidates, below which policy exponential leaves a view for later: "
           "the "
-          "little that is left behind is often seen from elsewhere. The paper has no such rule (0)");
+          "little that is left behind is often seen from elsewhere, or else costs the way back. The paper "
+          "has no such rule (0)");
     visit("second_look", self.second_look, Unit(""), Range{0, 1000000},
           "places before unseen edges that are looked at, at most, before exploration ends; 0: it ends "
           "where no candidate has enough gain");

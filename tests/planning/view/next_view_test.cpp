@@ -41,7 +41,7 @@ void ExpectTheHighestValue(const NextViewOptions& options, double c1, double c2,
 
 TEST(NextView, IsTheOneOfHighestValue) {
   ExpectTheHighestValue(PaperNextViewOptions(), 0.05, 0.01, nullptr);
-  ExpectTheHighestValue({}, 0.0013, 0.0, &View::area);
+  ExpectTheHighestValue({}, 0.001, 0.0, &View::area);
 }
 
 TEST(NextView, OfThePaperHardlyLeavesItsPlace) {

@@ -217,7 +217,7 @@ TEST(ViewPlanner, LeavesSmallGainsForLater) {
   options.least_share = 0.26;
   EXPECT_EQ(ChooseView(choice, options, 1), 1u) << "a quarter of the largest gain waits";
   options.least_share = 0.25;
-  EXPECT_EQ(ChooseView(choice, options, 1), 0u) << "2 exp(-0.13) > 8 exp(-1.95)";
+  EXPECT_EQ(ChooseView(choice, options, 1), 0u) << "2 exp(-0.1) > 8 exp(-1.5)";
 }
 
 TEST(ViewPlanner, LooksAgainAroundTheChosenOne) {
