@@ -18,13 +18,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "a, b, ..." without the spaces.
+/// "a, b c, ..." without the spaces around the commas.
 std::vector<std::string> Names(const std::string& text, const std::string& where) {
   std::vector<std::string> names{""};
   for (const char c : text) {
     if (c == ',') names.emplace_back();
-    if (c != ',' && c != ' ') names.back() += c;
+    if (c != ',' && (c != ' ' || !names.back().empty())) names.back() += c;
   }
+  for (std::string& name : names) name.erase(name.find_last_not_of(' ') + 1);
   if (std::ranges::count(names, "") > 0)
     Fail("{} is '{}', where names are to stand: a, b, ...", where, text);
   return names;

@@ -11,7 +11,8 @@ namespace ariadne::experiments {
 /// exactly, with exact visibility in the plane, against the fewest views that would do.
 struct AblationNbvOptions {
   std::string floors = "plans, builtin:robobench, builtin:entrance_hall";
-  std::string studies = "policies, gain, samplers, ways, candidates, c1, c2, field_of_view, min_overlap";
+  std::string studies =
+      "policies, gain, samplers, ways, candidates, c1, c2, rest, least_share, field_of_view, min_overlap";
   std::string variants = "all";
   std::string bounds_of;
   int seeds = 10;

@@ -103,6 +103,16 @@ const std::vector<std::pair<std::string, MakeVariants>>& Makers() {
          return Numbers<double>("c2", base, {0.0, 0.001, 0.002, 0.005, 0.01},
                                 [](ExploreOptions& e, double c) { e.planner.view.angle_weight = c; });
        }},
+      {"rest",
+       [](const ExploreOptions& base) {
+         return Numbers<double>("rest", base, {0.0, 0.5, 1.0, 2.0},
+                                [](ExploreOptions& e, double w) { e.planner.view.rest_weight = w; });
+       }},
+      {"least_share",
+       [](const ExploreOptions& base) {
+         return Numbers<double>("least_share", base, {0.0, 0.2, 0.4, 0.6},
+                                [](ExploreOptions& e, double share) { e.planner.least_share = share; });
+       }},
       {"field_of_view",
        [](const ExploreOptions& base) {
          return Numbers<double>("field_of_view", base, {90.0, 180.0, 270.0, 360.0}, SetFieldOfView);

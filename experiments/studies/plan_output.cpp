@@ -37,6 +37,7 @@ Json ToJson(const PlanStep& step) {
     json["pose_map"] = PoseOf(view.p_map, view.direction);
     json["gain_rays"] = view.gain;
     json["gain_m2"] = view.area;
+    json["shown"] = view.shown;
     json["overlap"] = view.overlap;
     json["distance_m"] = view.distance;
     json["turn_rad"] = view.turn;

@@ -11,13 +11,13 @@ double GainOf(const View& view, const NextViewOptions& options) {
 }
 
 double LogValue(const View& view, const NextViewOptions& options) {
-  return std::log(GainOf(view, options)) - options.distance_weight * view.distance -
-         options.angle_weight * slam::DegFromRad(view.turn);
+  return std::log(GainOf(view, options)) + options.rest_weight * std::log(view.shown) -
+         options.distance_weight * view.distance - options.angle_weight * slam::DegFromRad(view.turn);
 }
 
 View JudgedView(const Eigen::Vector2d& p_map, const ViewGain& best, double way,
                 const slam::Pose2& T_map_robot, const NextViewOptions& options) {
-  View view{p_map, best.direction, best.gain, best.area, best.overlap, way, 0.0, 0.0};
+  View view{p_map, best.direction, best.gain, best.area, best.shown, best.overlap, way, 0.0, 0.0};
   view.turn = std::abs(slam::WrapAngle(best.direction - T_map_robot.angle));
   view.value = std::exp(LogValue(view, options));  // of no gain: exp(-inf) = 0
   return view;
@@ -28,6 +28,7 @@ NextViewOptions PaperNextViewOptions() {
   options.gain.measure = GainMeasure::kRays;
   options.angle_weight = 0.01;
   options.distance_weight = 5.0;  // 0.05 per cm
+  options.rest_weight = 0.0;
   options.min_gain = 1;
   return options;
 }

@@ -8,11 +8,12 @@
 
 namespace ariadne::planning {
 
-/// V(p) exp(-c1 ||r - p||) exp(-c2 |theta_r - theta_p|), Sec. 4.2 step 6. The defaults are calibrated; the
-/// paper's are PaperNextViewOptions.
+/// V(p) exp(-c1 ||r - p||) exp(-c2 |theta_r - theta_p|), Sec. 4.2 step 6, times the share of what there is
+/// to see around p that the view shows. The defaults are calibrated; the paper's are PaperNextViewOptions.
 struct NextViewOptions {
   double distance_weight = 0.1;
   double angle_weight = 0.0;
+  double rest_weight = 1.0;
   int min_gain = 5;
   RayGainOptions gain = {.measure = GainMeasure::kArea};
 
@@ -26,6 +27,10 @@ struct NextViewOptions {
         "angle_weight", self.angle_weight, Unit("1/deg"), Range{0.0, 10.0},
         "c2; the paper's 0.01 has an effect only in degrees: turning about costs a factor 0.17. 0: a turn "
         "takes seconds, a scan more");
+    visit("rest_weight", self.rest_weight, Unit(""), Range{0.0, 100.0},
+          "exponent of the share of the gain in all directions that the view shows: from a place in the "
+          "middle of "
+          "what is unknown the rest needs a second scan, from its edge often none. The paper has none (0)");
     visit("min_gain", self.min_gain, Unit("rays"), Range{1, 36001},
           "views with less are not worth a stop, and where all have less, exploration ends; the paper "
           "has no rule. 5 rays of 1 deg are the robot's width, 0.6 m, in a distance of 7 m");
@@ -42,6 +47,7 @@ struct View {
   double direction = 0.0;  // of the scanner's middle, in the map [rad], (-pi, pi]
   int gain = 0;            // rays
   double area = 0.0;       // that may be found behind what these rays meet [m^2]
+  double shown = 1.0;      // share of the gain in all directions from there
   double overlap = 0.0;    // share of the rays that meet what is known: what registration has to go by
   double distance = 0.0;   // of the way from the robot; infinite: there is none [m]
   double turn = 0.0;       // between the robot's heading and the direction [rad], [0, pi]
@@ -59,7 +65,7 @@ struct NextViewResult {
 /// The gain by its measure: rays, or an area [m^2].
 double GainOf(const View& view, const NextViewOptions& options);
 
-/// The logarithm of the value: of the gain by its measure, and of both penalties.
+/// The logarithm of the value: of the gain by its measure, and of all penalties.
 double LogValue(const View& view, const NextViewOptions& options);
 
 /// A place with its best field of view, seen from where the robot is; `way` is the distance to it [m].

@@ -162,6 +162,12 @@ double RayGain::GainOf(const RayHit& hit) const {
   return options_.measure == GainMeasure::kArea ? AreaBehind(hit) : 1.0;
 }
 
+double RayGain::GainAllAround(std::span<const RayHit> hits) const {
+  double gain = 0.0;
+  for (const RayHit& hit : hits) gain += IsUnseen(hit) ? GainOf(hit) : 0.0;
+  return gain;
+}
+
 ViewGain RayGain::At(const Eigen::Vector2d& p_map) const { return Of(Cast(p_map)); }
 
 ViewGain RayGain::Of(std::span<const RayHit> hits) const {
@@ -186,6 +192,8 @@ ViewGain RayGain::Of(std::span<const RayHit> hits) const {
   }
   // About a direction between two rays there is one ray less than in the window.
   if (options_.measure == GainMeasure::kRays) view.gain = best.sum;
+  const double gain = options_.measure == GainMeasure::kArea ? view.area : view.gain;
+  if (gain > 0.0) view.shown = std::min(1.0, gain / GainAllAround(hits));
   view.overlap = static_cast<double>(seen) / static_cast<double>(std::max<std::size_t>(1, rays.size()));
   return view;
 }

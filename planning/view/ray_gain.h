@@ -60,6 +60,7 @@ struct RayHit {
 struct ViewGain {
   int gain = 0;            // V(p): its rays that meet an unseen edge
   double area = 0.0;       // behind those edges, up to the depth [m^2]
+  double shown = 1.0;      // share of what all directions together would show, by the measure
   double overlap = 0.0;    // share of its rays that meet a seen edge within range
   double direction = 0.0;  // theta_p, of its middle, in the map [rad], (-pi, pi]
 };
@@ -97,6 +98,7 @@ class RayGain {
  private:
   void AddCorner(const Eigen::Vector2d& p_map);
   double AreaBehind(const RayHit& hit) const;
+  double GainAllAround(std::span<const RayHit> hits) const;
   void Project(std::size_t edge, const Eigen::Vector2d& a, const Eigen::Vector2d& b, int first, int count,
                std::span<RayHit> hits) const;
   void Meet(std::size_t edge, double distance, RayHit& hit) const;

@@ -17,6 +17,8 @@ namespace ariadne::planning {
 namespace {
 
 constexpr double kSamePlaceAsRobot = 0.5;  // [m]
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
+constexpr double kOverlappingGap = 1.5;  // fields of view between headings, less than that needs no scan
 
 double ViewClearance(const ViewPlannerOptions& options) {
   return std::max(options.robot_radius, options.view_clearance);
@@ -222,22 +224,34 @@ std::optional<std::size_t> Decision::Choose(const Judged& judged) const {
   return ChooseView(choice, options_, seed_);
 }
 
-/// Whether the robot has scanned from where it stands, but not behind itself.
-bool LooksOneWayOnly(const slam::Pose2& T_map_robot, std::span<const slam::Pose2> T_map_scans) {
-  bool ahead = false, behind = false;
+/// Where no scan from the robot's place has looked: the middle of the widest gap between their headings,
+/// if it is so wide that not only the scans' margins lie in it [rad].
+std::optional<double> HeadingNotScanned(const slam::Pose2& T_map_robot,
+                                        std::span<const slam::Pose2> T_map_scans, double field_of_view) {
+  std::vector<double> turns;  // from the robot's heading, [0, 2 pi)
   for (const slam::Pose2& T_map_scan : T_map_scans) {
     if ((T_map_scan.translation - T_map_robot.translation).norm() > kSamePlaceAsRobot) continue;
-    const double turn = std::abs(slam::WrapAngle(T_map_scan.angle - T_map_robot.angle));
-    (turn < 0.5 * std::numbers::pi ? ahead : behind) = true;
+    const double turn = slam::WrapAngle(T_map_scan.angle - T_map_robot.angle);
+    turns.push_back(turn < 0.0 ? turn + kFullTurn : turn);
   }
-  return ahead && !behind;
+  if (turns.empty() || field_of_view >= kFullTurn) return {};
+  std::ranges::sort(turns);
+  double widest = 0.0, middle = 0.0;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const double next = i + 1 < turns.size() ? turns[i + 1] : turns.front() + kFullTurn;
+    if (next - turns[i] <= widest) continue;
+    widest = next - turns[i];
+    middle = 0.5 * (next + turns[i]);
+  }
+  if (turns.size() > 1 && widest <= kOverlappingGap * field_of_view) return {};
+  return slam::WrapAngle(T_map_robot.angle + middle);
 }
 
-View AboutTurn(const slam::Pose2& T_map_robot) {
+View TurnInPlace(const slam::Pose2& T_map_robot, double direction) {
   View view;
   view.p_map = T_map_robot.translation;
-  view.direction = slam::WrapAngle(T_map_robot.angle + std::numbers::pi);
-  view.turn = std::numbers::pi;
+  view.direction = direction;
+  view.turn = std::abs(slam::WrapAngle(direction - T_map_robot.angle));
   return view;
 }
 
@@ -298,10 +312,13 @@ ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& 
     if (plan.chosen || judged.views.empty()) judged = std::move(before_edges);
   }
   plan.views = std::move(judged.views);
-  if (plan.views.empty() && options.second_look > 0 && LooksOneWayOnly(T_map_robot, T_map_scans)) {
-    plan.views.push_back(AboutTurn(T_map_robot));
-    plan.chosen = 0;
-    plan.path_map = {T_map_robot.translation};
+  if (plan.views.empty() && options.second_look > 0) {
+    const double field_of_view = slam::RadFromDeg(options.view.gain.field_of_view);
+    if (const auto direction = HeadingNotScanned(T_map_robot, T_map_scans, field_of_view)) {
+      plan.views.push_back(TurnInPlace(T_map_robot, *direction));
+      plan.chosen = 0;
+      plan.path_map = {T_map_robot.translation};
+    }
   }
   if (!plan.views.empty()) plan.status = plan.chosen ? NextViewStatus::kFound : NextViewStatus::kNoGain;
   if (plan.chosen && plan.path_map.empty()) {

@@ -39,6 +39,7 @@ struct ViewPlannerOptions {
   double robot_radius = 0.3;
   double view_clearance = 0.0;
   double min_overlap = 0.0;
+  double least_share = 0.0;
   int second_look = 1000;
   double piece = 0.5;
   double look_again = 0.5;
@@ -65,6 +66,11 @@ struct ViewPlannerOptions {
     visit("min_overlap", self.min_overlap, Unit("share"), Range{0.0, 1.0},
           "of a view's rays that must meet known walls, so that it can be registered; the paper has no "
           "such rule (0)");
+    visit("least_share", self.least_share, Unit("share"), Range{0.0, 1.0},
+          "of the largest gain of all candidates, below which policy exponential leaves a view for later: "
+          "the "
+          "little that is left behind is often seen from elsewhere, or else costs the way back. The paper "
+          "has no such rule (0)");
     visit("second_look", self.second_look, Unit(""), Range{0, 1000000},
           "places before unseen edges that are looked at, at most, before exploration ends; 0: it ends "
           "where no candidate has enough gain");
@@ -111,7 +117,7 @@ struct ViewPlan {
 ///
 /// kNoGain, the end of an exploration: neither a candidate nor a place before an unseen edge that the
 /// robot can reach has min_gain rays (and min_overlap). kNoCandidates: the robot cannot move, and has
-/// scanned to both sides; before that, close before a wall, it turns about.
+/// scanned to all sides; before that, close before a wall, it turns to where no scan has looked.
 ViewPlan PlanNextView(std::span<const LabelledPolygon> area, const slam::Pose2& T_map_robot,
                       const ViewPlannerOptions& options, std::uint64_t seed,
                       std::span<const slam::Pose2> T_map_scans = {}, const WayCost& way_cost = {},

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "planning/view/best_of.h"
 #include "slam/base/random.h"
@@ -56,6 +57,17 @@ std::size_t ChooseOfTwoSteps(const ViewChoice& choice, const NextViewOptions& op
   return BestOf(best, with_second);
 }
 
+/// Those of the views worth a scan that are not left for later.
+std::vector<std::size_t> NotForLater(const ViewChoice& choice, const ViewPlannerOptions& options) {
+  const auto gain = [&](std::size_t i) { return GainOf(choice.views[i], options.view); };
+  double largest = 0.0;
+  for (const std::size_t i : choice.worth) largest = std::max(largest, gain(i));
+  std::vector<std::size_t> now;
+  std::ranges::copy_if(choice.worth, std::back_inserter(now),
+                       [&](std::size_t i) { return gain(i) >= options.least_share * largest; });
+  return now;
+}
+
 }  // namespace
 
 bool LooksAhead(ViewPolicy policy) { return policy == ViewPolicy::kTwoSteps; }
@@ -64,7 +76,8 @@ std::size_t ChooseView(const ViewChoice& choice, const ViewPlannerOptions& optio
   const auto view = [&](std::size_t i) -> const View& { return choice.views[i]; };
   switch (options.policy) {
     case ViewPolicy::kExponential:
-      return BestOf(choice.worth, [&](std::size_t i) { return LogValue(view(i), options.view); });
+      return BestOf(NotForLater(choice, options),
+                    [&](std::size_t i) { return LogValue(view(i), options.view); });
     case ViewPolicy::kGain:
       return BestOf(choice.worth, [&](std::size_t i) { return GainOf(view(i), options.view); });
     case ViewPolicy::kNearestFrontier:

@@ -82,6 +82,7 @@ TEST_F(ViewStudyTest, AblationNbvSaysWhatItCannotDo) {
   EXPECT_THAT(error_with("studies=policies, colours"), testing::HasSubstr("there are policies, gain"));
   EXPECT_THAT(error_with("studies=c1"), testing::HasSubstr("must begin with policies"));
   EXPECT_THAT(error_with("variants=gain, magic"), testing::HasSubstr("names 'magic'"));
+  EXPECT_THAT(error_with("variants=gain , area 99 m "), testing::HasSubstr("names 'area 99 m'"));
   EXPECT_THAT(error_with("floors=a,,b"), testing::HasSubstr("names are to stand"));
   EXPECT_THAT(error_with("floors=builtin:nowhere"), testing::HasSubstr("nowhere"));
 }

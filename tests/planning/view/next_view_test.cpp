@@ -20,7 +20,8 @@ Places DrawInHall(std::uint64_t seed) { return DrawCandidates(std::array{Hall()}
 
 const slam::Pose2 kRobot{0.5, {2.0, 2.0}};
 
-/// Sec. 4.2 step 6 by its letters, in the paper's units; c1 in 1/cm, c2 in 1/deg.
+/// Sec. 4.2 step 6 by its letters, in the paper's units; c1 in 1/cm, c2 in 1/deg; and what is not the
+/// paper's.
 void ExpectTheHighestValue(const NextViewOptions& options, double c1, double c2, double View::*gain) {
   const NextViewResult result = ChooseNextView(DrawInHall(1), LabelledHall(1), kRobot, options);
   ASSERT_EQ(result.status, NextViewStatus::kFound);
@@ -31,7 +32,8 @@ void ExpectTheHighestValue(const NextViewOptions& options, double c1, double c2,
     if (turn > 180.0) turn = 360.0 - turn;
     const double centimeters = 100.0 * std::hypot(view.p_map.x() - 2.0, view.p_map.y() - 2.0);
     const double rays = gain == nullptr ? view.gain : view.*gain;
-    EXPECT_NEAR(view.value, rays * std::exp(-c1 * centimeters) * std::exp(-c2 * turn), 1e-9);
+    const double rest = std::pow(view.shown, options.rest_weight);
+    EXPECT_NEAR(view.value, rays * rest * std::exp(-c1 * centimeters) * std::exp(-c2 * turn), 1e-9);
     if (view.gain >= options.min_gain) highest = std::max(highest, view.value);
   }
   EXPECT_EQ(result.views[*result.chosen].value, highest);
@@ -54,6 +56,20 @@ TEST(NextView, OfThePaperHardlyLeavesItsPlace) {
   NextViewOptions calibrated;
   calibrated.min_gain = 1;
   EXPECT_EQ(ChooseNextView(places, edges, robot, calibrated).chosen, 1u);
+}
+
+TEST(NextView, LeavesNoRestBehindWhereItCan) {
+  const std::vector<Edge> square = EdgesOf({Rectangle(-2.0, -2.0, 2.0, 2.0), {}}, false);
+  const Places places{{0.0, 0.0},
+                      {-1.9, 0.0}};  // half a turn shows half from the first, most from the second
+  NextViewOptions options{.distance_weight = 0.0};
+  options.gain.measure = GainMeasure::kRays;
+  const NextViewResult result = ChooseNextView(places, square, {}, options);
+  EXPECT_NEAR(result.views[0].shown, 0.5, 0.01);
+  EXPECT_GT(result.views[1].shown, 0.85);
+  EXPECT_EQ(result.chosen, 1u);
+  options.rest_weight = 0.0;
+  EXPECT_EQ(ChooseNextView(places, square, {}, options).chosen, 0u) << "of equal gains the first";
 }
 
 TEST(NextView, FirstWinsAmongEqualOnes) {
@@ -114,9 +130,9 @@ std::vector<char> BytesOf(const NextViewResult& result) {
     bytes.insert(bytes.end(), begin, begin + sizeof value);
   };
   append(*result.chosen);
-  for (const auto& [p_map, direction, gain, area, overlap, distance, turn, value] : result.views) {
-    append(p_map.x()), append(p_map.y()), append(direction), append(gain), append(area), append(overlap);
-    append(distance), append(turn), append(value);
+  for (const auto& [p_map, direction, gain, area, shown, overlap, distance, turn, value] : result.views) {
+    append(p_map.x()), append(p_map.y()), append(direction), append(gain), append(area), append(shown);
+    append(overlap), append(distance), append(turn), append(value);
   }
   return bytes;
 }

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "planning/path/geodesic.h"
+#include "planning/view/view_policy.h"
 #include "slam/geometry/angles.h"
 #include "tests/support/error_of.h"
 
@@ -182,6 +183,41 @@ TEST(ViewPlanner, TurnsAboutBeforeAWall) {
   EXPECT_NEAR(std::abs(about.views[*about.chosen].direction), std::numbers::pi, 1e-12);
   EXPECT_EQ(LengthOf(about.path_map), 0.0);
   EXPECT_EQ(PlanNextView(known, one[0], {}, 1, both).status, NextViewStatus::kNoCandidates);
+}
+
+TEST(ViewPlanner, TurnsToEachSideWithANarrowView) {
+  const LabelledRing wedge{{{0.0, 0.0}, false}, {{0.4, -0.4}, true}, {{0.4, 0.4}, false}};
+  const std::vector<LabelledPolygon> known{{wedge, {}}};
+  ViewPlannerOptions options;
+  options.view.gain.field_of_view = 90.0;
+  std::vector<slam::Pose2> scans{{0.3, {0.0, 0.0}}};
+  std::vector<double> turns;
+  for (int k = 0; k < 3; ++k) {
+    const ViewPlan plan = PlanNextView(known, scans.back(), options, 1, scans);
+    ASSERT_TRUE(plan.chosen);
+    scans.push_back({plan.views[*plan.chosen].direction, {0.0, 0.0}});
+    turns.push_back(slam::WrapAngle(scans.back().angle - 0.3));
+  }
+  constexpr double kHalfTurn = std::numbers::pi;
+  EXPECT_NEAR(std::abs(turns[0]), kHalfTurn, 1e-9);
+  EXPECT_NEAR(std::abs(turns[1]), 0.5 * kHalfTurn, 1e-9);
+  EXPECT_NEAR(turns[2], -turns[1], 1e-9);
+  EXPECT_EQ(PlanNextView(known, scans.back(), options, 1, scans).status, NextViewStatus::kNoCandidates);
+  options.view.gain.field_of_view = 360.0;
+  EXPECT_EQ(PlanNextView(known, scans[0], options, 1, std::span(scans).first(1)).status,
+            NextViewStatus::kNoCandidates);
+}
+
+TEST(ViewPlanner, LeavesSmallGainsForLater) {
+  const View near{.p_map = {1.0, 0.0}, .gain = 6, .area = 2.0, .distance = 1.0};
+  const View far{.p_map = {15.0, 0.0}, .gain = 60, .area = 8.0, .distance = 15.0};
+  const std::vector<View> views{near, far};
+  const ViewChoice choice{views, {0, 1}, {}, {}};
+  ViewPlannerOptions options;
+  options.least_share = 0.26;
+  EXPECT_EQ(ChooseView(choice, options, 1), 1u) << "a quarter of the largest gain waits";
+  options.least_share = 0.25;
+  EXPECT_EQ(ChooseView(choice, options, 1), 0u) << "2 exp(-0.1) > 8 exp(-1.5)";
 }
 
 TEST(ViewPlanner, LooksAgainAroundTheChosenOne) {
