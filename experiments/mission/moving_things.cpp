@@ -54,10 +54,11 @@ void MovingThings::Update(std::span<const Vector2d> points_odom, double time) {
     double nearest = options_.jump;
     std::size_t best = tracks_.size();
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
+      if (taken[k]) continue;
       const Seen& last = tracks_[k].seen.back();
       const Vector2d expected = last.middle_odom + VelocityOf(tracks_[k]) * (time - last.time);
       const double distance = (run.middle_odom - expected).norm();
-      if (!taken[k] && distance < nearest) nearest = distance, best = k;
+      if (distance < nearest) nearest = distance, best = k;
     }
     Track track;
     if (best < tracks_.size()) taken[best] = true, track = std::move(tracks_[best]);

@@ -22,8 +22,8 @@ struct CrossingOptions {
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
     visit("persons", self.persons, Unit(""), Range{0, 100}, "in one episode");
-    visit("slowest", self.slowest, Unit("m/s"), Range{0.01, 10.0}, "walking");
-    visit("fastest", self.fastest, Unit("m/s"), Range{0.01, 10.0}, "walking");
+    visit("slowest", self.slowest, Unit("m/s"), Range{0.01, 10.0}, "of walking persons");
+    visit("fastest", self.fastest, Unit("m/s"), Range{0.01, 10.0}, "of walking persons");
     visit("longest_stop", self.longest_stop, Unit("s"), Range{0.0, 1000.0},
           "in the robot's way, of every other person");
     visit("distance", self.distance, Unit("m"), Range{1.0, 100.0}, "from the robot's start to its goal");
