@@ -155,7 +155,7 @@ std::vector<Eigen::Vector2d> PathDrive::ToCome(std::span<const drivers::SafetySw
   const slam::Pose2 &T_odom_base = state.odometry.T_odom_base, T_base_odom = T_odom_base.Inverse();
   std::vector<Eigen::Vector2d> points = PointsOf(sweeps);
   for (Eigen::Vector2d& p : points) p = T_odom_base * p;
-  moving_.Update(points, state.stamp);
+  moving_.Update(points, T_odom_base.translation, state.stamp);
   const double braking = std::max(std::abs(state.velocity.forward) / avoid_.limits.acceleration,
                                   std::abs(state.velocity.turning) / avoid_.limits.turning_acceleration);
   std::vector<Eigen::Vector2d> places = moving_.PlacesUntil(kLookAhead + avoid_.reaction + braking);

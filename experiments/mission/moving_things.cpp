@@ -1,7 +1,8 @@
 #include "experiments/mission/moving_things.h"
 
 #include <algorithm>
-#include <limits>
+#include <cmath>
+#include <numbers>
 
 namespace ariadne::experiments {
 namespace {
@@ -9,24 +10,30 @@ namespace {
 using Eigen::Vector2d;
 
 constexpr double kPlaceEvery = 0.12;  // between the places of a moving thing [s]
+constexpr int kAround = 8;            // places around it
 
 }  // namespace
 
-std::vector<MovingThings::Run> MovingThings::RunsOf(std::span<const Vector2d> points_odom) const {
-  std::vector<Run> runs;
+/// Of the runs of points that are small, and nearer than what is seen beside them.
+std::vector<Vector2d> MovingThings::MiddlesOf(std::span<const Vector2d> points_odom,
+                                              const Vector2d& viewpoint_odom) const {
+  const auto range = [&](std::size_t i) { return (points_odom[i] - viewpoint_odom).norm(); };
+  std::vector<Vector2d> middles;
   for (std::size_t first = 0; first < points_odom.size();) {
     std::size_t end = first + 1;
     while (end < points_odom.size() && (points_odom[end] - points_odom[end - 1]).norm() < options_.gap)
       ++end;
-    const Vector2d &from = points_odom[first], &to = points_odom[end - 1];
-    if ((to - from).norm() < options_.largest) {
+    const bool small = (points_odom[end - 1] - points_odom[first]).norm() < options_.largest;
+    const bool hidden = (first > 0 && range(first - 1) < range(first)) ||
+                        (end < points_odom.size() && range(end) < range(end - 1));
+    if (small && !hidden) {
       Vector2d sum = Vector2d::Zero();
       for (std::size_t i = first; i < end; ++i) sum += points_odom[i];
-      runs.push_back({sum / static_cast<double>(end - first), {from, points_odom[(first + end) / 2], to}});
+      middles.emplace_back(sum / static_cast<double>(end - first));
     }
     first = end;
   }
-  return runs;
+  return middles;
 }
 
 /// The slope of a line through its middles over time; zero where it has not been watched for long enough.
@@ -46,25 +53,25 @@ Vector2d MovingThings::VelocityOf(const Track& track) const {
   return moment / spread;
 }
 
-void MovingThings::Update(std::span<const Vector2d> points_odom, double time) {
-  std::vector<Run> runs = RunsOf(points_odom);
+void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d& viewpoint_odom,
+                          double time) {
   std::vector<Track> tracks;
   std::vector<bool> taken(tracks_.size(), false);
-  for (Run& run : runs) {
+  for (const Vector2d& middle_odom : MiddlesOf(points_odom, viewpoint_odom)) {
     double nearest = options_.jump;
     std::size_t best = tracks_.size();
     for (std::size_t k = 0; k < tracks_.size(); ++k) {
       if (taken[k]) continue;
       const Seen& last = tracks_[k].seen.back();
       const Vector2d expected = last.middle_odom + VelocityOf(tracks_[k]) * (time - last.time);
-      const double distance = (run.middle_odom - expected).norm();
+      const double distance = (middle_odom - expected).norm();
       if (distance < nearest) nearest = distance, best = k;
     }
     Track track;
     if (best < tracks_.size()) taken[best] = true, track = std::move(tracks_[best]);
-    track.seen.push_back({time, run.middle_odom});
+    track.seen.push_back({time, middle_odom});
     while (time - track.seen.front().time > options_.memory) track.seen.pop_front();
-    track.now = std::move(run);
+    track.has_moved = track.has_moved || VelocityOf(track).norm() >= options_.slowest;
     tracks.push_back(std::move(track));
   }
   tracks_ = std::move(tracks);
@@ -72,13 +79,18 @@ void MovingThings::Update(std::span<const Vector2d> points_odom, double time) {
 
 std::vector<Vector2d> MovingThings::PlacesUntil(double later) const {
   std::vector<Vector2d> places;
-  for (const Track& track : tracks_) {
-    const Vector2d velocity = VelocityOf(track);
-    if (velocity.norm() < options_.slowest) continue;
-    for (double t = kPlaceEvery; t < later + kPlaceEvery; t += kPlaceEvery) {
-      for (const Vector2d& p_odom : track.now.outline_odom)
-        places.emplace_back(p_odom + std::min(t, later) * velocity);
+  const auto add_body = [&](const Vector2d& middle_odom) {
+    for (int k = 0; k < kAround; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / kAround;
+      places.emplace_back(middle_odom + options_.body * Vector2d(std::cos(angle), std::sin(angle)));
     }
+  };
+  for (const Track& track : tracks_) {
+    if (!track.has_moved) continue;
+    const Vector2d velocity = VelocityOf(track);
+    const bool moves = velocity.norm() >= options_.slowest;
+    for (double t = 0.0; t < (moves ? later + kPlaceEvery : kPlaceEvery); t += kPlaceEvery)
+      add_body(track.seen.back().middle_odom + std::min(t, later) * velocity);
   }
   return places;
 }

@@ -17,6 +17,7 @@ struct MovingThingsOptions {
   double jump = 0.25;
   double memory = 0.5;
   double least = 0.25;
+  double body = 0.25;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -34,24 +35,22 @@ struct MovingThingsOptions {
 };
 
 /// What moves around a robot, such as a person's legs: runs of points of a sweep that are followed from
-/// sweep to sweep.
+/// sweep to sweep. Those that something nearer hides at one end are not: what is seen of a wall past a
+/// pillar moves as the robot does.
 class MovingThings {
  public:
   explicit MovingThings(const MovingThingsOptions& options = {}) : options_(options) {}
 
-  /// The points of one look around, each scanner's in the order of its beams, in a frame that stands [m],
-  /// at a time [s].
-  void Update(std::span<const Eigen::Vector2d> points_odom, double time);
+  /// The points of one look around from a place, each scanner's in the order of its beams, in a frame that
+  /// stands [m], at a time [s].
+  void Update(std::span<const Eigen::Vector2d> points_odom, const Eigen::Vector2d& viewpoint_odom,
+              double time);
 
-  /// Where what moves will be from now on, as long as it goes on as it does, until so much later [s].
+  /// Where what has moved is and will be, as long as it goes on as it does, until so much later [s]; points
+  /// around it.
   std::vector<Eigen::Vector2d> PlacesUntil(double later) const;
 
  private:
-  /// A run of points, from one end over its middle to the other.
-  struct Run {
-    Eigen::Vector2d middle_odom;
-    std::vector<Eigen::Vector2d> outline_odom;
-  };
   struct Seen {
     double time;
     Eigen::Vector2d middle_odom;
@@ -59,10 +58,11 @@ class MovingThings {
   /// One thing, as long as it is seen.
   struct Track {
     std::deque<Seen> seen;
-    Run now;
+    bool has_moved = false;
   };
 
-  std::vector<Run> RunsOf(std::span<const Eigen::Vector2d> points_odom) const;
+  std::vector<Eigen::Vector2d> MiddlesOf(std::span<const Eigen::Vector2d> points_odom,
+                                         const Eigen::Vector2d& viewpoint_odom) const;
   Eigen::Vector2d VelocityOf(const Track& track) const;
 
   MovingThingsOptions options_;
