@@ -17,7 +17,7 @@ struct MovingThingsOptions {
   double jump = 0.25;
   double memory = 0.5;
   double least = 0.25;
-  double body = 0.25;
+  double body = 0.4;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -31,6 +31,9 @@ struct MovingThingsOptions {
     visit("memory", self.memory, Unit("s"), Range{0.05, 10.0}, "of which the speed is the mean");
     visit("least", self.least, Unit("s"), Range{0.05, 10.0},
           "that a thing is watched before it is believed");
+    visit("body", self.body, Unit("m"), Range{0.0, 2.0},
+          "around a leg that has walked, that the robot keeps off: arms and hips are wider than what the "
+          "scanners see of a person");
   }
 };
 
