@@ -1,0 +1,195 @@
+#include "experiments/mission/drive_ways.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "experiments/mission/clear_way.h"
+#include "planning/path/geodesic.h"
+
+namespace ariadne::experiments {
+namespace {
+
+using slam::Pose2;
+
+constexpr double kBackToRoom = 3.0;      // [m]
+constexpr double kBesideApproach = 3.0;  // of the straight way; trajectories swing out [m]
+constexpr double kStep = 0.05;           // between the poses of a disc's path [m]
+
+planning::FreeSpace FreeSpaceAt(const Surroundings& around, std::size_t height,
+                                const planning::FreeSpaceOptions& options,
+                                std::span<const Eigen::Vector2d> obstacles_map) {
+  std::vector<slam::Polygon2> plain;
+  for (const planning::LabelledPolygon& polygon : around.areas[height])
+    plain.push_back(planning::ToPolygon2(polygon));
+  return planning::FreeSpace(plain, options, obstacles_map);
+}
+
+/// Of the footprint's margin: with all of it if the robot can, else with less, for beside a table it stands
+/// closer than it likes to drive. A quarter is less than the localization errs.
+constexpr std::array<double, 2> kMarginShares{1.0, 0.5};
+
+/// From where the robot stands back the way that it came, to where there is room for its rectangle; only
+/// where it stands, if there is room or none on the way.
+std::vector<Pose2> WayToRoom(const planning::FreeSpace& space, const Pose2& T_map_base,
+                             std::span<const Pose2> trail_map, const planning::FootprintOptions& options) {
+  const planning::Footprint footprint(options);
+  std::vector<Pose2> way{T_map_base};
+  if (footprint.IsFree(space, T_map_base)) return way;
+  double length = 0.0;
+  for (auto pose = trail_map.rbegin(); pose != trail_map.rend() && length < kBackToRoom; ++pose) {
+    length += (pose->translation - way.back().translation).norm();
+    way.push_back(*pose);
+    if (footprint.IsFree(space, *pose)) return way;
+  }
+  return {T_map_base};
+}
+
+/// The poses of a path for the rectangle; empty where none was found.
+std::vector<Pose2> FindPath(const planning::FreeSpace& space, const Pose2& T_map_base,
+                            std::span<const Pose2> trail_map, const Pose2& T_map_goal,
+                            const planning::PathOptions& options, std::uint64_t seed) {
+  std::vector<Pose2> poses = WayToRoom(space, T_map_base, trail_map, options.footprint);
+  const planning::PathResult path = planning::PlanPath(space, poses.back(), T_map_goal, options, seed);
+  if (path.status != planning::PathStatus::kFound) return {};
+  poses.insert(poses.end(), path.poses.begin(), path.poses.end());
+  return poses;
+}
+
+/// Poses along straight lines, the robot ahead; turns on the spot at the corners and the end.
+std::vector<Pose2> PosesAlong(std::span<const Eigen::Vector2d> way_map, const Pose2& T_map_base,
+                              double heading) {
+  std::vector<Pose2> poses{T_map_base};
+  for (std::size_t i = 0; i + 1 < way_map.size(); ++i) {
+    const Eigen::Vector2d ahead = way_map[i + 1] - way_map[i];
+    if (ahead.norm() < 1e-6) continue;
+    const double angle = std::atan2(ahead.y(), ahead.x());
+    const int pieces = std::max(1, static_cast<int>(std::ceil(ahead.norm() / kStep)));
+    for (int k = 0; k <= pieces; ++k) poses.push_back({angle, way_map[i] + ahead * k / pieces});
+  }
+  poses.push_back({heading, poses.back().translation});
+  return poses;
+}
+
+/// The first part of a path; at its end the robot looks to where it goes on.
+void CutToLeg(double max_leg, PlannedDrive& drive) {
+  double rest = max_leg;
+  for (std::size_t i = 0; i + 1 < drive.path_map.size(); ++i) {
+    rest -= (drive.path_map[i + 1].translation - drive.path_map[i].translation).norm();
+    if (rest >= 0.0) continue;
+    drive.path_map.resize(i + 1);
+    drive.leg_only = true;
+    return;
+  }
+}
+
+/// What the paper tries (Sec. 5.2): the controller as it is, turning first, and turn, straight, turn.
+std::optional<PlannedDrive> DriveByApproach(const Surroundings& around, const Pose2& T_map_base,
+                                            const Pose2& T_map_goal, const MissionOptions& options) {
+  control::GroundObstacles obstacles;
+  const double reach = (T_map_goal.translation - T_map_base.translation).norm() + kBesideApproach;
+  for (const Eigen::Vector2d& p_map : around.obstacles_map) {
+    const bool stands_beside = control::GapTo(options.approach.robot, T_map_base, p_map) <= 0.0;
+    if (!stands_beside && (p_map - T_map_base.translation).norm() < reach)
+      obstacles.points.push_back(p_map);
+  }
+  const control::ApproachPlan plan =
+      control::PlanApproach(T_map_base, T_map_goal, obstacles, options.approach);
+  if (!plan.IsFree()) return {};
+  PlannedDrive drive;
+  drive.path_map = plan.poses;
+  drive.margin = options.approach.robot.margin;
+  drive.approach = ApproachTask{T_map_goal, plan.behaviour(), options.approach.approach};
+  return drive;
+}
+
+std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const Pose2& T_map_base,
+                                        const Pose2& T_map_goal, const MissionOptions& options) {
+  const planning::GeodesicField ways =
+      planning::DistancesFrom(space, T_map_base.translation, options.planner.robot_radius);
+  const std::vector<Eigen::Vector2d> way_map = ways.PathTo(T_map_goal.translation);
+  if (way_map.empty()) return {};
+  PlannedDrive drive;
+  drive.path_map = PosesAlong(way_map, T_map_base, T_map_goal.angle);
+  drive.of_disc = true;
+  return drive;
+}
+
+/// Which paths will do.
+struct PathRule {
+  planning::PathOptions path;
+  bool clear = false;  // all the way, or as far as it is worth a scan
+};
+
+std::optional<PlannedDrive> DriveByPath(const Spaces& spaces, const Surroundings& around,
+                                        const Pose2& T_map_base, const Pose2& T_map_goal,
+                                        const PathRule& rule, const MissionOptions& options,
+                                        std::uint64_t seed) {
+  const auto find = [&](const planning::FreeSpace& space) {
+    return FindPath(space, T_map_base, around.trail_map, T_map_goal, rule.path, seed);
+  };
+  PlannedDrive drive;
+  drive.path_map = find(spaces.free);
+  if (drive.path_map.empty()) return {};
+  drive.margin = rule.path.footprint.margin;
+  const std::size_t clear =
+      rule.clear ? ClearPoses(drive.path_map, spaces.clear, rule.path.footprint) : drive.path_map.size();
+  if (clear == drive.path_map.size()) return drive;
+  std::vector<Pose2> detour = find(spaces.clear);
+  if (!detour.empty() && LengthOf(detour) <= options.clear.detour * LengthOf(drive.path_map)) {
+    drive.path_map = std::move(detour);
+    return drive;
+  }
+  drive.path_map.resize(clear);
+  drive.leg_only = true;
+  if (LengthOf(drive.path_map) < options.clear.min_leg) return {};
+  return drive;
+}
+
+/// The best first.
+std::vector<PathRule> PathRules(const MissionOptions& options) {
+  std::vector<PathRule> rules;
+  for (const bool clear : {true, false}) {
+    if (clear && options.clear.gap <= 0.0) continue;
+    for (const double share : kMarginShares) {
+      rules.push_back({options.path, clear});
+      rules.back().path.footprint.margin *= share;
+    }
+  }
+  return rules;
+}
+
+}  // namespace
+
+Spaces SpacesAt(const Surroundings& around, std::size_t height, const planning::FreeSpaceOptions& options) {
+  std::vector<Eigen::Vector2d> doubtful_map = around.obstacles_map;
+  doubtful_map.insert(doubtful_map.end(), around.unclear_map.begin(), around.unclear_map.end());
+  return {FreeSpaceAt(around, height, options, around.obstacles_map),
+          FreeSpaceAt(around, height, options, doubtful_map)};
+}
+
+void TryWays(const Surroundings& around, const Pose2& T_map_base, const MissionOptions& options,
+             std::uint64_t seed, const std::function<void(const PlanDrive&)>& attempt) {
+  if (options.drive_by != DriveBy::kPath) {
+    attempt([&](const Spaces&, const Pose2& T_map_goal) {
+      return DriveByApproach(around, T_map_base, T_map_goal, options);
+    });
+  }
+  if (options.drive_by == DriveBy::kApproach) return;
+  for (const PathRule& rule : PathRules(options)) {
+    attempt([&](const Spaces& spaces, const Pose2& T_map_goal) {
+      std::optional<PlannedDrive> drive =
+          DriveByPath(spaces, around, T_map_base, T_map_goal, rule, options, seed);
+      if (drive) CutToLeg(options.max_leg, *drive);
+      return drive;
+    });
+  }
+  attempt([&](const Spaces& spaces, const Pose2& T_map_goal) {
+    std::optional<PlannedDrive> drive = DriveOfDisc(spaces.free, T_map_base, T_map_goal, options);
+    if (drive) CutToLeg(options.max_leg, *drive);
+    return drive;
+  });
+}
+
+}  // namespace ariadne::experiments
