@@ -26,6 +26,7 @@ constexpr int kWriggles = 2;           // rounds
 constexpr double kWithin = -0.03;      // the robot: cells that are coarser than what occupies them [m]
 constexpr double kSeenError = 0.015;   // of the scanners [m]
 constexpr double kOffPath = 0.02;      // by the controller and the localization [m]
+constexpr double kOfKnown = 0.3;       // from what the map knows: what is seen there stands [m]
 constexpr double kLookAhead = 0.5;     // for what moves, beyond the time to stop [s]
 constexpr double kTrailStep = 0.02;    // [m]
 constexpr double kTrailTurn = 0.02;    // [rad]
@@ -158,7 +159,14 @@ std::vector<Eigen::Vector2d> PathDrive::ToCome(std::span<const drivers::SafetySw
   moving_.Update(points, T_odom_base.translation, state.stamp);
   const double braking = std::max(std::abs(state.velocity.forward) / avoid_.limits.acceleration,
                                   std::abs(state.velocity.turning) / avoid_.limits.turning_acceleration);
-  std::vector<Eigen::Vector2d> places = moving_.PlacesUntil(kLookAhead + avoid_.reaction + braking);
+  const slam::Pose2 T_map_odom = localizer_.T_map_base() * T_base_odom;
+  const auto stands = [&](const Eigen::Vector2d& p_odom) {
+    const Eigen::Vector2d p_map = T_map_odom * p_odom;
+    return std::ranges::any_of(task_.obstacles_map, [&](const Eigen::Vector2d& known_map) {
+      return (known_map - p_map).squaredNorm() < kOfKnown * kOfKnown;
+    });
+  };
+  std::vector<Eigen::Vector2d> places = moving_.PlacesUntil(kLookAhead + avoid_.reaction + braking, stands);
   for (Eigen::Vector2d& p : places) p = T_base_odom * p;
   return places;
 }

@@ -53,6 +53,20 @@ Vector2d MovingThings::VelocityOf(const Track& track) const {
   return moment / spread;
 }
 
+/// Whether it has gone far enough, evenly.
+bool MovingThings::Walks(const Track& track) const {
+  const Vector2d velocity = VelocityOf(track);
+  const double span = track.seen.back().time - track.seen.front().time;
+  if (velocity.norm() < options_.slowest || velocity.norm() * span < options_.way) return false;
+  Vector2d mean = Vector2d::Zero();
+  for (const Seen& seen : track.seen) mean += seen.middle_odom - seen.time * velocity;
+  const auto count = static_cast<double>(track.seen.size());
+  mean /= count;
+  double sum = 0.0;
+  for (const Seen& seen : track.seen) sum += (seen.middle_odom - seen.time * velocity - mean).squaredNorm();
+  return sum < count * options_.off_line * options_.off_line;
+}
+
 void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d& viewpoint_odom,
                           double time) {
   std::vector<Track> tracks;
@@ -71,13 +85,14 @@ void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d&
     if (best < tracks_.size()) taken[best] = true, track = std::move(tracks_[best]);
     track.seen.push_back({time, middle_odom});
     while (time - track.seen.front().time > options_.memory) track.seen.pop_front();
-    track.has_moved = track.has_moved || VelocityOf(track).norm() >= options_.slowest;
+    track.has_moved = track.has_moved || Walks(track);
     tracks.push_back(std::move(track));
   }
   tracks_ = std::move(tracks);
 }
 
-std::vector<Vector2d> MovingThings::PlacesUntil(double later) const {
+std::vector<Vector2d> MovingThings::PlacesUntil(
+    double later, const std::function<bool(const Vector2d& p_odom)>& stands) const {
   std::vector<Vector2d> places;
   const auto add_body = [&](const Vector2d& middle_odom) {
     for (int k = 0; k < kAround; ++k) {
@@ -86,7 +101,7 @@ std::vector<Vector2d> MovingThings::PlacesUntil(double later) const {
     }
   };
   for (const Track& track : tracks_) {
-    if (!track.has_moved) continue;
+    if (!track.has_moved || (stands && stands(track.seen.back().middle_odom))) continue;
     const Vector2d velocity = VelocityOf(track);
     const bool moves = velocity.norm() >= options_.slowest;
     for (double t = 0.0; t < (moves ? later + kPlaceEvery : kPlaceEvery); t += kPlaceEvery)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <deque>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,8 @@ namespace ariadne::experiments {
 struct MovingThingsOptions {
   bool watch = true;
   double slowest = 0.3;
+  double way = 0.2;
+  double off_line = 0.08;
   double largest = 0.8;
   double gap = 0.2;
   double jump = 0.25;
@@ -24,6 +27,9 @@ struct MovingThingsOptions {
     visit("watch", self.watch, "stop for where what moves will be, not only for where it is (5.3)");
     visit("slowest", self.slowest, Unit("m/s"), Range{0.01, 10.0},
           "that counts as moving: the middle of what stands shifts when it is seen from elsewhere");
+    visit("way", self.way, Unit("m"), Range{0.0, 10.0}, "that it has moved before it is believed");
+    visit("off_line", self.off_line, Unit("m"), Range{0.001, 10.0},
+          "that it strays from an even way, rms: what is seen of a plant jumps to and fro");
     visit("largest", self.largest, Unit("m"), Range{0.05, 10.0}, "that is watched: larger things stand");
     visit("gap", self.gap, Unit("m"), Range{0.01, 10.0}, "between the points of two things");
     visit("jump", self.jump, Unit("m"), Range{0.01, 10.0},
@@ -50,8 +56,9 @@ class MovingThings {
               double time);
 
   /// Where what has moved is and will be, as long as it goes on as it does, until so much later [s]; points
-  /// around it.
-  std::vector<Eigen::Vector2d> PlacesUntil(double later) const;
+  /// around it. What is where something `stands`, as far as is known, has not moved.
+  std::vector<Eigen::Vector2d> PlacesUntil(
+      double later, const std::function<bool(const Eigen::Vector2d& p_odom)>& stands = {}) const;
 
  private:
   struct Seen {
@@ -67,6 +74,7 @@ class MovingThings {
   std::vector<Eigen::Vector2d> MiddlesOf(std::span<const Eigen::Vector2d> points_odom,
                                          const Eigen::Vector2d& viewpoint_odom) const;
   Eigen::Vector2d VelocityOf(const Track& track) const;
+  bool Walks(const Track& track) const;
 
   MovingThingsOptions options_;
   std::vector<Track> tracks_;

@@ -77,6 +77,26 @@ TEST(MovingThings, AreNotWhatIsSeenOfAWallPastAPillar) {
   EXPECT_TRUE(things.PlacesUntil(2.0).empty());
 }
 
+TEST(MovingThings, AreNotWhatJumpsToAndFro) {
+  RandomStream stream = NamedStream(5, "leaves");
+  MovingThings things;
+  for (double t = 0.0; t < 10.0; t += kPeriod) {
+    const double x = DrawUniform(stream, -0.15, 0.15);
+    const double y = DrawUniform(stream, -0.15, 0.15);
+    things.Update(WallAndLeg({x, 2.0 + y}, stream), {0.0, 0.0}, t);
+    ASSERT_TRUE(things.PlacesUntil(2.0).empty()) << t;
+  }
+}
+
+TEST(MovingThings, AreNotWhereSomethingIsKnownToStand) {
+  RandomStream stream = NamedStream(6, "leg");
+  MovingThings things;
+  for (double t = 0.0; t < 0.6; t += kPeriod) things.Update(WallAndLeg({t, 2.0}, stream), {0.0, 0.0}, t);
+  EXPECT_FALSE(things.PlacesUntil(1.0).empty());
+  EXPECT_FALSE(things.PlacesUntil(1.0, [](const Vector2d&) { return false; }).empty());
+  EXPECT_TRUE(things.PlacesUntil(1.0, [](const Vector2d& p) { return p.y() > 1.5; }).empty());
+}
+
 TEST(MovingThings, AreNotBelievedAtOnce) {
   EXPECT_TRUE(WatchedPlaces({0.0, 2.0}, {1.0, 0.0}, 0.1, 2.0).empty());
 }
