@@ -81,8 +81,8 @@ TEST(MovingThings, AreNotWhatJumpsToAndFro) {
   RandomStream stream = NamedStream(5, "leaves");
   MovingThings things;
   for (double t = 0.0; t < 10.0; t += kPeriod) {
-    const double x = DrawUniform(stream, -0.15, 0.15);
-    const double y = DrawUniform(stream, -0.15, 0.15);
+    const double x = DrawUniform(stream, -0.1, 0.1);
+    const double y = DrawUniform(stream, -0.1, 0.1);
     things.Update(WallAndLeg({x, 2.0 + y}, stream), {0.0, 0.0}, t);
     ASSERT_TRUE(things.PlacesUntil(2.0).empty()) << t;
   }
