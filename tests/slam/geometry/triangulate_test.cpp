@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -56,6 +57,35 @@ TEST(Triangulated, CoversPolygonsOfAnyForm) {
     const double area = SignedArea(a.outer) + SignedArea(b.outer);
     EXPECT_NEAR(AreaOf(Triangulated(std::array{a, b})), area, 5e-3) << i;
   }
+}
+
+// Rounded to 0.1 mm, the small holes cross themselves and each other.
+TEST(Triangulated, TakesSliversThatCross) {
+  const Polygon2 wedge{
+      {{-0.9384, -0.0622}, {-0.931, -0.0697}, {0.3431, -0.4276}},
+      {{{-0.9263, -0.0661}, {-0.9265, -0.0661}, {-0.9264, -0.066}, {-0.9262, -0.0661}, {-0.9266, -0.0662}},
+       {{-0.926, -0.0666}, {-0.9264, -0.0667}, {-0.9265, -0.0666}}}};
+  EXPECT_NEAR(AreaOf(Triangulated(std::array{wedge})), SignedArea(wedge.outer), 1e-6);
+}
+
+TEST(Triangulated, IsRightBesideManySlivers) {
+  RandomStream stream = NamedStream(2, "triangulate");
+  for (int i = 0; i < 200; ++i) {
+    Polygon2 room{Square(0.0, 1.0), {}};
+    for (int k = 0; k < 40; ++k) {
+      const double x = DrawUniform(stream, 0.1, 0.9), y = DrawUniform(stream, 0.1, 0.9);
+      Ring sliver = DrawStar(stream, {x, y}, 4e-4);
+      sliver.resize(3 + static_cast<std::size_t>(k) % 20);
+      std::ranges::reverse(sliver);
+      room.holes.push_back(sliver);
+    }
+    EXPECT_NEAR(AreaOf(Triangulated(std::array{room})), 1.0, 1e-4) << i;
+  }
+}
+
+TEST(Triangulated, CountsWhatOverlapsOnce) {
+  const Polygon2 a{Square(0.0, 2.0), {}}, b{Square(1.0, 3.0), {}};
+  EXPECT_NEAR(AreaOf(Triangulated(std::array{a, b})), 4.0 + 4.0 - 1.0, 1e-6);
 }
 
 TEST(Triangulated, OfNothingIsNothing) {
