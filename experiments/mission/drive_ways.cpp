@@ -49,11 +49,13 @@ std::vector<Pose2> WayToRoom(const planning::FreeSpace& space, const Pose2& T_ma
 /// The poses of a path for the rectangle; empty where none was found.
 std::vector<Pose2> FindPath(const planning::FreeSpace& space, const Pose2& T_map_base,
                             std::span<const Pose2> trail_map, const Pose2& T_map_goal,
-                            const planning::PathOptions& options, std::uint64_t seed) {
+                            const planning::PathOptions& options, const RoomOptions& room,
+                            std::uint64_t seed) {
   std::vector<Pose2> poses = WayToRoom(space, T_map_base, trail_map, options.footprint);
   const planning::PathResult path = planning::PlanPath(space, poses.back(), T_map_goal, options, seed);
   if (path.status != planning::PathStatus::kFound) return {};
-  poses.insert(poses.end(), path.poses.begin(), path.poses.end());
+  const std::vector<Pose2> roomy = WithRoom(space, path.poses, options, room, seed);
+  poses.insert(poses.end(), roomy.begin(), roomy.end());
   return poses;
 }
 
@@ -127,7 +129,7 @@ std::optional<PlannedDrive> DriveByPath(const Spaces& spaces, const Surroundings
                                         const PathRule& rule, const MissionOptions& options,
                                         std::uint64_t seed) {
   const auto find = [&](const planning::FreeSpace& space) {
-    return FindPath(space, T_map_base, around.trail_map, T_map_goal, rule.path, seed);
+    return FindPath(space, T_map_base, around.trail_map, T_map_goal, rule.path, options.room, seed);
   };
   PlannedDrive drive;
   drive.path_map = find(spaces.free);

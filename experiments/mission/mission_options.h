@@ -6,7 +6,7 @@
 #include "experiments/exploration/scan_loop_area.h"
 #include "experiments/mission/drive_path.h"
 #include "experiments/mission/ground_map.h"
-#include "planning/path/plan_path.h"
+#include "experiments/mission/roomy_way.h"
 #include "planning/view/view_planner.h"
 #include "slam/map/occupancy_grid.h"
 #include "slam/mapper.h"
@@ -92,6 +92,7 @@ struct MissionOptions {
   DriveBy drive_by = DriveBy::kPath;
   control::ApproachPlanOptions approach;
   planning::PathOptions path = RobotPathOptions();
+  RoomOptions room;
   double max_leg = 20.0;
   DriveOptions drive = RobotDriveOptions();
   MissionLimits limits;
@@ -113,6 +114,7 @@ struct MissionOptions {
         "how the robot gets there: by path, or by the paper's approach, or by path where that is not free");
     visit("approach", self.approach, "the paper's controller and its two fallback behaviours (5.1, 5.2)");
     visit("path", self.path, "how to get there, for the robot's rectangle");
+    visit("room", self.room, "how far such a path keeps off things where it can");
     visit(
         "max_leg", self.max_leg, Unit("m"), Range{0.1, 1e6},
         "driven at most; a longer way is left off there for a scan towards its rest, and planned anew. By "
