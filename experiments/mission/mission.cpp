@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "drivers/emergency_stopped.h"
+#include "experiments/mission/area_left.h"
 #include "slam/base/stopwatch.h"
 
 namespace ariadne::experiments {
@@ -16,20 +17,6 @@ using slam::Pose2;
 
 constexpr double kSamePlaceAgain = 0.5;  // [m]
 constexpr double kPathStep = 0.05;       // of the path that is kept [m]
-
-double UnseenLength(std::span<const planning::LabelledPolygon> area) {
-  double length = 0.0;
-  for (const planning::Edge& edge : planning::EdgesOf(area)) {
-    if (!edge.seen) length += (edge.to - edge.from).norm();
-  }
-  return length;
-}
-
-double FreeArea(std::span<const planning::LabelledPolygon> area) {
-  double sum = 0.0;
-  for (const planning::LabelledPolygon& polygon : area) sum += slam::Area(planning::ToPolygon2(polygon));
-  return sum;
-}
 
 /// Where what the map knows has held the robot up, the map or the robot err by more than half the margin of
 /// a path: one with half of it keeps the whole from there.
@@ -111,6 +98,7 @@ void Explorer::AcquireAndRegister() {
   const std::vector<planning::LabelledPolygon> area = map_.Area(0);
   stop.unseen = UnseenLength(area);
   stop.free_area = FreeArea(area);
+  stop.views_left = ViewsLeft(area, options_.planner.min_opening);
   result_.stops.push_back(stop);
   if (events_.on_stop) events_.on_stop(stop, map_);
 }

@@ -42,6 +42,7 @@ struct MissionStop {
   std::string message;            // of the registration
   double unseen = 0.0;            // edges of the area at the first height that nobody has looked behind [m]
   double free_area = 0.0;         // known to be free there [m^2]
+  int views_left = 0;             // that the unseen edges ask for, at a guess
   double matching_seconds = 0.0;  // times are not deterministic
   double planning_seconds = 0.0;
   double driving_seconds = 0.0;

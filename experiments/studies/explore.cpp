@@ -130,6 +130,12 @@ MissionEvents DrivenEventsOf(const ExploreRun& exploration, LoggedExploration& l
   return events;
 }
 
+/// ", ETA 60 s", as if views took as long as so far.
+std::string EtaAfter(std::size_t stops, const MissionStop& at, const ProgressDisplay& display) {
+  const auto done = static_cast<double>(stops);
+  return ", " + display.Eta(done / (done + at.views_left));
+}
+
 /// In a world that is known to who looks on, who judges it.
 SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld& world) {
   const auto& [options, run, progress, person] = exploration;
@@ -142,7 +148,8 @@ SimulatedMission ExploreWorld(const ExploreRun& exploration, const MissionWorld&
   std::size_t stops = 0;
   ProgressDisplay& display = progress;
   const auto on_true_stop = [&stops, &display](const MissionStop& at, const TrueStop& truth) {
-    display.Keep(StopLine(stops++, at, &truth));
+    const std::string eta = EtaAfter(++stops, at, display);
+    display.Keep(StopLine(stops - 1, at, &truth) + eta);
   };
   SimulatedMission mission =
       RunSimulatedMission({*robot->truth(), drivers::AisMounting(options.robot.ais).T_base_laser}, driven,
@@ -166,7 +173,7 @@ SimulatedMission ExploreForReal(const ExploreRun& exploration) {
   MissionEvents events = DrivenEventsOf(exploration, logged, driven, steps);
   ProgressDisplay& display = progress;
   events.on_stop = [&display, keep = events.on_stop](const MissionStop& at, const MissionMap& map) {
-    display.Keep(StopLine(map.size() - 1, at));
+    display.Keep(StopLine(map.size() - 1, at) + EtaAfter(map.size(), at, display));
     keep(at, map);
   };
   SimulatedMission mission;

@@ -113,9 +113,13 @@ std::string StopLine(std::size_t index, const MissionStop& stop, const TrueStop*
                                                              : "";
   const std::string covered =
       truth == nullptr ? "" : fmt::format(" {:5.1f} % of the walls,", 100.0 * truth->covered);
-  return fmt::format("scan {:3}: {:5.0f} s, {:4.0f} m,{} {:.0f} m unseen{}{}", index, stop.time,
-                     truth == nullptr ? stop.distance : truth->path, covered, stop.unseen, drive,
-                     stop.registered ? "" : ", NOT REGISTERED: " + stop.message);
+  const slam::Pose2 shift = stop.T_map_base_guess.Inverse() * stop.T_map_base;
+  const std::string registered =
+      stop.registered ? fmt::format("registered {:.1f} cm off", 100.0 * shift.translation.norm())
+                      : "NOT REGISTERED: " + stop.message;
+  return fmt::format("scan {:3}: {:5.0f} s, {:4.0f} m,{} {}, {:.0f} m unseen, {} views left?{}", index,
+                     stop.time, truth == nullptr ? stop.distance : truth->path, covered, registered,
+                     stop.unseen, stop.views_left, drive);
 }
 
 Table StopTable(const SimulatedMission& mission) {
