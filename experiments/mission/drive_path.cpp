@@ -8,6 +8,7 @@
 
 #include "experiments/mission/beside_memory.h"
 #include "experiments/mission/contact.h"
+#include "experiments/mission/way_back.h"
 #include "slam/geometry/angles.h"
 
 namespace ariadne::experiments {
@@ -28,8 +29,6 @@ constexpr double kSeenError = 0.015;   // of the scanners [m]
 constexpr double kOffPath = 0.02;      // by the controller and the localization [m]
 constexpr double kOfKnown = 0.3;       // from what the map knows: what is seen there stands [m]
 constexpr double kLookAhead = 0.5;     // for what moves, beyond the time to stop [s]
-constexpr double kTrailStep = 0.02;    // [m]
-constexpr double kTrailTurn = 0.02;    // [rad]
 
 double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
   return std::abs(slam::WrapAngle(a.angle - b.angle));
@@ -82,17 +81,14 @@ class PathDrive {
     report_.poses_map.push_back(start);
     advanced_to_ = start;
     advanced_at_ = robot.Now();
-    const control::PlacedRectangle at_start(avoid_.robot, start);
-    for (const Eigen::Vector2d& p_map : task.obstacles_map) {
-      const double gap = avoid_.robot.margin + at_start.GapTo(p_map);
-      if (gap > kWithin) known_map_.push_back(p_map);
-    }
+    KeepInMind(task.obstacles_map);
   }
 
   DriveReport Run();
 
  private:
   void NoteAdvance();
+  void KeepInMind(std::span<const Eigen::Vector2d> obstacles_map);
   bool Stalls() const { return robot_.Now() - advanced_at_ > options_.patience; }
   bool MustStop() const { return stop_ && stop_(); }
   std::vector<Eigen::Vector2d> KnownInTheWay() const;
@@ -108,7 +104,6 @@ class PathDrive {
   void FollowBack(double start);
   void Wriggle();
   bool HasLeft(const slam::Pose2& place) const;
-  std::vector<slam::Pose2> WayBack() const;
 
   drivers::Robot& robot_;
   Localizer localizer_;
@@ -127,6 +122,23 @@ class PathDrive {
   std::optional<Eigen::Vector2d> held_map_;  // that the scanners see, or the map knows
   DriveReport report_;
 };
+
+/// What the map knows, but for what the robot stands in already, and for what would stand where it has
+/// been: there the map errs.
+void PathDrive::KeepInMind(std::span<const Eigen::Vector2d> obstacles_map) {
+  control::RectangleOptions bare = avoid_.robot;
+  bare.margin = 0.0;
+  std::vector<control::PlacedRectangle> been;
+  for (std::size_t i = 0; i < task_.retraced; ++i) been.emplace_back(bare, task_.path_map[i]);
+  const control::PlacedRectangle at_start(bare, localizer_.T_map_base());
+  const double close = avoid_.robot.margin + known_margin_;
+  for (const Eigen::Vector2d& p_map : obstacles_map) {
+    const bool stood = at_start.GapTo(p_map) <= kWithin;
+    if (!stood &&
+        std::ranges::none_of(been, [&](const auto& robot) { return robot.GapTo(p_map) <= close; }))
+      known_map_.push_back(p_map);
+  }
+}
 
 /// A place that errs by the known margin, as near ahead and beside as it may be.
 Eigen::Vector2d PathDrive::Nearer(const Eigen::Vector2d& p_base) const {
@@ -238,27 +250,6 @@ DriveReport PathDrive::Ended(DriveEnd end) {
   return report_;
 }
 
-/// What the robot has driven, from its last place backwards, without what it drove to and fro, until it is
-/// as far from here as it is to back off.
-std::vector<slam::Pose2> PathDrive::WayBack() const {
-  std::vector<slam::Pose2> driven(task_.trail_map.begin(), task_.trail_map.end());
-  driven.insert(driven.end(), report_.poses_map.begin(), report_.poses_map.end());
-  std::vector<slam::Pose2> back{driven.back()};
-  for (auto pose = driven.rbegin(); pose != driven.rend(); ++pose) {
-    const auto same = std::ranges::find_if(back, [&](const slam::Pose2& other) {
-      return (pose->translation - other.translation).norm() < kTrailStep &&
-             TurnBetween(*pose, other) < kTrailTurn;
-    });
-    if (same != back.end()) {
-      back.erase(same + 1, back.end());
-      continue;
-    }
-    back.push_back(*pose);
-    if ((pose->translation - back.front().translation).norm() > options_.back_off) break;
-  }
-  return back;
-}
-
 bool PathDrive::HasLeft(const slam::Pose2& place) const {
   const slam::Pose2& now = localizer_.T_map_base();
   return (now.translation - place.translation).norm() > kLeft || TurnBetween(now, place) > kLeftTurn;
@@ -273,7 +264,9 @@ void PathDrive::BackOff() {
 }
 
 void PathDrive::FollowBack(double start) {
-  const std::vector<slam::Pose2> back = WayBack();
+  std::vector<slam::Pose2> driven(task_.trail_map.begin(), task_.trail_map.end());
+  driven.insert(driven.end(), report_.poses_map.begin(), report_.poses_map.end());
+  const std::vector<slam::Pose2> back = WayBack(driven, options_.back_off);
   control::FollowOptions slow = options_.follow;
   slow.limits.max_speed = kSlow;
   slow.limits.max_turning = kSlowTurning;

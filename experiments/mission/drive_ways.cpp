@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "experiments/mission/clear_way.h"
+#include "experiments/mission/way_back.h"
 #include "planning/path/geodesic.h"
 
 namespace ariadne::experiments {
@@ -14,6 +15,9 @@ namespace {
 using slam::Pose2;
 
 constexpr double kBackToRoom = 3.0;      // [m]
+constexpr double kFarBack = 10.0;        // out of where there is no path [m]
+constexpr double kTryEvery = 0.5;        // on the way there [m]
+constexpr int kTriesBack = 4;            // to each goal
 constexpr double kBesideApproach = 3.0;  // of the straight way; trajectories swing out [m]
 constexpr double kStep = 0.05;           // between the poses of a disc's path [m]
 
@@ -30,33 +34,61 @@ planning::FreeSpace FreeSpaceAt(const Surroundings& around, std::size_t height,
 /// closer than it likes to drive. A quarter is less than the localization errs.
 constexpr std::array<double, 2> kMarginShares{1.0, 0.5};
 
+/// Poses to a goal, of which the first ones are back the way that the robot came; none: no path was found.
+struct FoundPath {
+  std::vector<Pose2> poses;
+  std::size_t retraced = 0;
+};
+
 /// From where the robot stands back the way that it came, to where there is room for its rectangle; only
 /// where it stands, if there is room or none on the way.
 std::vector<Pose2> WayToRoom(const planning::FreeSpace& space, const Pose2& T_map_base,
                              std::span<const Pose2> trail_map, const planning::FootprintOptions& options) {
   const planning::Footprint footprint(options);
-  std::vector<Pose2> way{T_map_base};
-  if (footprint.IsFree(space, T_map_base)) return way;
-  double length = 0.0;
-  for (auto pose = trail_map.rbegin(); pose != trail_map.rend() && length < kBackToRoom; ++pose) {
-    length += (pose->translation - way.back().translation).norm();
-    way.push_back(*pose);
-    if (footprint.IsFree(space, *pose)) return way;
-  }
-  return {T_map_base};
+  if (footprint.IsFree(space, T_map_base)) return {T_map_base};
+  std::vector<Pose2> way = WayBack(trail_map, kBackToRoom);
+  const auto room =
+      std::ranges::find_if(way, [&](const Pose2& pose) { return footprint.IsFree(space, pose); });
+  if (room == way.end()) return {T_map_base};
+  way.erase(room + 1, way.end());
+  return way;
 }
 
-/// The poses of a path for the rectangle; empty where none was found.
-std::vector<Pose2> FindPath(const planning::FreeSpace& space, const Pose2& T_map_base,
-                            std::span<const Pose2> trail_map, const Pose2& T_map_goal,
-                            const planning::PathOptions& options, const RoomOptions& room,
-                            std::uint64_t seed) {
-  std::vector<Pose2> poses = WayToRoom(space, T_map_base, trail_map, options.footprint);
-  const planning::PathResult path = planning::PlanPath(space, poses.back(), T_map_goal, options, seed);
+/// Back, and from there on by a path with as much room as there is.
+FoundPath PathFrom(std::vector<Pose2> way_back, const planning::FreeSpace& space, const Pose2& T_map_goal,
+                   const planning::PathOptions& options, const RoomOptions& room, std::uint64_t seed) {
+  const planning::PathResult path = planning::PlanPath(space, way_back.back(), T_map_goal, options, seed);
   if (path.status != planning::PathStatus::kFound) return {};
   const std::vector<Pose2> roomy = WithRoom(space, path.poses, options, room, seed);
-  poses.insert(poses.end(), roomy.begin(), roomy.end());
-  return poses;
+  FoundPath found{std::move(way_back), 0};
+  if (found.poses.size() > 1) found.retraced = found.poses.size();
+  found.poses.insert(found.poses.end(), roomy.begin(), roomy.end());
+  return found;
+}
+
+/// Back the way that the robot came, as far as it takes until there is a path: it may have got in where its
+/// map shows too little room now.
+FoundPath PathByTrail(const planning::FreeSpace& space, std::span<const Pose2> trail_map,
+                      const Pose2& T_map_goal, const planning::PathOptions& options,
+                      const RoomOptions& room, std::uint64_t seed) {
+  const planning::Footprint robot(options.footprint);
+  const planning::GeodesicField to_goal =
+      planning::DistancesFrom(space, T_map_goal.translation, robot.least_radius());
+  const std::vector<Pose2> way = WayBack(trail_map, kFarBack);
+  int tries = 0;
+  double since = 0.0;
+  for (std::size_t i = 1; i < way.size() && tries < kTriesBack; ++i) {
+    since += (way[i].translation - way[i - 1].translation).norm();
+    if (since < kTryEvery || !to_goal.IsReachable(space.CellOf(way[i].translation)) ||
+        !robot.IsFree(space, way[i]))
+      continue;
+    since = 0.0;
+    ++tries;
+    FoundPath found = PathFrom({way.begin(), way.begin() + static_cast<std::ptrdiff_t>(i) + 1}, space,
+                               T_map_goal, options, room, seed);
+    if (!found.poses.empty()) return found;
+  }
+  return {};
 }
 
 /// Poses along straight lines, the robot ahead; turns on the spot at the corners and the end.
@@ -121,7 +153,8 @@ std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const 
 /// Which paths will do.
 struct PathRule {
   planning::PathOptions path;
-  bool clear = false;  // all the way, or as far as it is worth a scan
+  bool clear = false;     // all the way, or as far as it is worth a scan
+  bool by_trail = false;  // first back the way that the robot came
 };
 
 std::optional<PlannedDrive> DriveByPath(const Spaces& spaces, const Surroundings& around,
@@ -129,23 +162,26 @@ std::optional<PlannedDrive> DriveByPath(const Spaces& spaces, const Surroundings
                                         const PathRule& rule, const MissionOptions& options,
                                         std::uint64_t seed) {
   const auto find = [&](const planning::FreeSpace& space) {
-    return FindPath(space, T_map_base, around.trail_map, T_map_goal, rule.path, options.room, seed);
+    return rule.by_trail ? PathByTrail(space, around.trail_map, T_map_goal, rule.path, options.room, seed)
+                         : PathFrom(WayToRoom(space, T_map_base, around.trail_map, rule.path.footprint),
+                                    space, T_map_goal, rule.path, options.room, seed);
   };
+  FoundPath path = find(spaces.free);
+  if (path.poses.empty()) return {};
   PlannedDrive drive;
-  drive.path_map = find(spaces.free);
-  if (drive.path_map.empty()) return {};
   drive.margin = rule.path.footprint.margin;
   const std::size_t clear =
-      rule.clear ? ClearPoses(drive.path_map, spaces.clear, rule.path.footprint) : drive.path_map.size();
-  if (clear == drive.path_map.size()) return drive;
-  std::vector<Pose2> detour = find(spaces.clear);
-  if (!detour.empty() && LengthOf(detour) <= options.clear.detour * LengthOf(drive.path_map)) {
-    drive.path_map = std::move(detour);
-    return drive;
+      rule.clear ? ClearPoses(path.poses, spaces.clear, rule.path.footprint) : path.poses.size();
+  if (clear < path.poses.size()) {
+    FoundPath detour = find(spaces.clear);
+    drive.leg_only =
+        detour.poses.empty() || LengthOf(detour.poses) > options.clear.detour * LengthOf(path.poses);
+    if (drive.leg_only) path.poses.resize(clear);
+    if (!drive.leg_only) path = std::move(detour);
+    if (drive.leg_only && LengthOf(path.poses) < options.clear.min_leg) return {};
   }
-  drive.path_map.resize(clear);
-  drive.leg_only = true;
-  if (LengthOf(drive.path_map) < options.clear.min_leg) return {};
+  drive.path_map = std::move(path.poses);
+  drive.retraced = path.retraced;
   return drive;
 }
 
@@ -159,6 +195,8 @@ std::vector<PathRule> PathRules(const MissionOptions& options) {
       rules.back().path.footprint.margin *= share;
     }
   }
+  rules.push_back(rules.back());
+  rules.back().by_trail = true;
   return rules;
 }
 

@@ -151,9 +151,10 @@ void Explorer::Drive(const PlannedDrive& drive) {
   const std::optional<slam::AlignModel> model_map =
       localize.enabled ? map_.ModelAround(T_map_base.translation, localize.reach) : std::nullopt;
   const Localizer localizer(robot_, T_map_base, model_map ? &*model_map : nullptr, scanner_, localize);
-  const DriveReport report = DrivePath(
-      robot_, localizer, {drive.path_map, drive.approach, trail_map_, obstacles_map_, drive.margin},
-      options_.drive, events_.stop);
+  const DriveReport report =
+      DrivePath(robot_, localizer,
+                {drive.path_map, drive.approach, trail_map_, obstacles_map_, drive.margin, drive.retraced},
+                options_.drive, events_.stop);
   last_T_odom_base_ = robot_.State().odometry.T_odom_base;
   trail_map_.insert(trail_map_.end(), report.poses_map.begin(), report.poses_map.end());
   constexpr std::size_t kTrail = 2000;  // poses

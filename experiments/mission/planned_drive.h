@@ -18,6 +18,7 @@ struct PlannedDrive {
   bool leg_only = false;                 // the path ends before the view
   bool of_disc = false;                  // the rectangle has no path; this is a disc's
   double margin = 0.0;                   // that the path keeps beside the rectangle [m]
+  std::size_t retraced = 0;              // poses at the path's start: back the way that the robot came
   std::optional<ApproachTask> approach;  // the path is what it is expected to drive
 };
 

@@ -78,7 +78,7 @@ TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
   const Eigen::Vector2d gate = start + 1.5 * ahead;
   const std::vector<Eigen::Vector2d> posts{gate + kHalfGate * left, gate - kHalfGate * left};
   const std::vector<slam::Pose2> path = Straight(start, goal);
-  const auto drive = [&](double margin) {
+  const auto drive = [&](double margin, std::size_t retraced = 0) {
     drivers::SimulatedRobot robot(TwoRoomsScene(), RobotOptions(), 3);
     robot.Drive({0.0, 0.3});  // to look along the path
     const double angle = std::atan2(ahead.y(), ahead.x());
@@ -87,7 +87,7 @@ TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
     robot.Drive({});
     robot.WaitUntil(robot.Now() + 1.0);
     const Localizer localizer(robot, robot.T_map_base_true(), nullptr, scanner_, {});
-    return DrivePath(robot, localizer, {path, {}, {}, posts, margin}, {}, {});
+    return DrivePath(robot, localizer, {path, {}, {}, posts, margin, retraced}, {}, {});
   };
   const DriveReport passed = drive(0.02), held = drive(0.08);
   EXPECT_EQ(passed.end, DriveEnd::kArrived);
@@ -97,6 +97,8 @@ TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
   EXPECT_TRUE(std::ranges::any_of(posts, [&](const Eigen::Vector2d& post) {
     return (*held.held_map - post).norm() < 0.15;
   })) << "one of the posts, as near as it may be";
+  EXPECT_EQ(drive(0.08, path.size()).end, DriveEnd::kArrived) << "where it has been, the map errs";
+  EXPECT_EQ(drive(0.08, path.size() / 4).end, DriveEnd::kBlocked) << "the gate is beyond";
 }
 
 TEST_F(DrivePathTest, ContactIsLeftByTheWayThatItCame) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "experiments/mission/clear_way.h"
+#include "experiments/mission/way_back.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -71,6 +72,42 @@ TEST(PlanDrive, TakesAllForClearWithoutGaps) {
   const auto drive = DriveThrough(RoomWithLine(6.0, 1.2), options);
   ASSERT_TRUE(drive);
   EXPECT_NEAR(LengthOf(drive->path_map), 8.0, 0.1);
+}
+
+/// From a corner behind two posts that leave the robot no room, but that it came through; the trail is
+/// empty without `came`.
+std::optional<PlannedDrive> DriveOutOfACorner(bool came) {
+  Surroundings around = RoomWithLine(6.0, 4.5);
+  for (double y = 0.0; y <= 4.0; y += 0.03) {
+    if (std::abs(y - 2.0) > 0.2) around.obstacles_map.emplace_back(8.0, y);
+  }
+  for (double x = came ? 2.0 : 9.0; x <= 9.0; x += 0.05) around.trail_map.push_back({0.0, {x, 2.0}});
+  return PlanDriveTo(around, {0.0, {9.0, 2.0}}, {0.0, {2.0, 1.0}}, {}, 1);
+}
+
+TEST(PlanDrive, GoesBackTheWayItCameWhereThereIsNoRoom) {
+  const auto drive = DriveOutOfACorner(true);
+  ASSERT_TRUE(drive);
+  EXPECT_FALSE(drive->of_disc);
+  ASSERT_GT(drive->retraced, 20U);
+  for (std::size_t i = 0; i < drive->retraced; ++i)
+    EXPECT_NEAR(drive->path_map[i].translation.y(), 2.0, 1e-9) << i;
+  EXPECT_LT(drive->path_map[drive->retraced - 1].translation.x(), 7.6) << "past the posts";
+  EXPECT_NEAR(drive->path_map.back().translation.x(), 2.0, 0.05);
+}
+
+TEST(PlanDrive, FindsNoWayWhereItDoesNotKnowHowItCame) { EXPECT_FALSE(DriveOutOfACorner(false)); }
+
+TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
+  std::vector<Pose2> driven;
+  for (const double x : {0.0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2, 0.3, 0.4, 0.5, 0.6})
+    driven.push_back({0.0, {x, 0.0}});
+  const std::vector<Pose2> all = WayBack(driven, 10.0), near = WayBack(driven, 0.25);
+  ASSERT_EQ(all.size(), 7U);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    EXPECT_NEAR(all[i].translation.x(), 0.6 - 0.1 * static_cast<double>(i), 1e-9);
+  ASSERT_EQ(near.size(), 4U) << "up to the first one that is farther";
+  EXPECT_TRUE(WayBack({}, 1.0).empty());
 }
 
 TEST(ClearPoses, MayBeginInWhatIsNotFree) {
