@@ -1,12 +1,6 @@
 #include "experiments/mission/clear_way.h"
 
 namespace ariadne::experiments {
-namespace {
-
-constexpr double kNearStart = 0.5;  // half the diagonal of the robot: what it touches by turning [m]
-
-}  // namespace
-
 double LengthOf(std::span<const slam::Pose2> poses) {
   double length = 0.0;
   for (std::size_t i = 1; i < poses.size(); ++i)
@@ -18,8 +12,7 @@ std::size_t ClearPoses(std::span<const slam::Pose2> path, const planning::FreeSp
                        const planning::FootprintOptions& footprint) {
   const planning::Footprint robot(footprint);
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const bool near_start = (path[i].translation - path.front().translation).norm() < kNearStart;
-    if (!near_start && !robot.IsFree(space, path[i])) return i;
+    if (!robot.IsFree(space, path[i])) return i;
   }
   return path.size();
 }

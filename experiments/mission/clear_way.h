@@ -10,8 +10,7 @@ namespace ariadne::experiments {
 /// [m]
 double LengthOf(std::span<const slam::Pose2> poses);
 
-/// How many poses of a path come before the first at which the robot touches what is not free of the
-/// space; near its start, where it stands already, it may.
+/// How many poses of a path come before the first at which the robot touches what is not free of the space.
 std::size_t ClearPoses(std::span<const slam::Pose2> path, const planning::FreeSpace& space,
                        const planning::FootprintOptions& footprint);
 

@@ -14,6 +14,7 @@ namespace {
 
 using slam::Pose2;
 
+constexpr double kTurning = 0.6;         // half the diagonal, and a margin [m]
 constexpr double kBackToRoom = 3.0;      // [m]
 constexpr double kFarBack = 10.0;        // out of where there is no path [m]
 constexpr double kTryEvery = 0.5;        // on the way there [m]
@@ -138,18 +139,6 @@ std::optional<PlannedDrive> DriveByApproach(const Surroundings& around, const Po
   return drive;
 }
 
-std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const Pose2& T_map_base,
-                                        const Pose2& T_map_goal, const MissionOptions& options) {
-  const planning::GeodesicField ways =
-      planning::DistancesFrom(space, T_map_base.translation, options.planner.robot_radius);
-  const std::vector<Eigen::Vector2d> way_map = ways.PathTo(T_map_goal.translation);
-  if (way_map.empty()) return {};
-  PlannedDrive drive;
-  drive.path_map = PosesAlong(way_map, T_map_base, T_map_goal.angle);
-  drive.of_disc = true;
-  return drive;
-}
-
 /// Which paths will do.
 struct PathRule {
   planning::PathOptions path;
@@ -202,9 +191,12 @@ std::vector<PathRule> PathRules(const MissionOptions& options) {
 
 }  // namespace
 
-Spaces SpacesAt(const Surroundings& around, std::size_t height, const planning::FreeSpaceOptions& options) {
+Spaces SpacesAt(const Surroundings& around, std::size_t height, const Pose2& T_map_base,
+                const planning::FreeSpaceOptions& options) {
   std::vector<Eigen::Vector2d> doubtful_map = around.obstacles_map;
-  doubtful_map.insert(doubtful_map.end(), around.unclear_map.begin(), around.unclear_map.end());
+  for (const Eigen::Vector2d& p_map : around.unclear_map) {
+    if ((p_map - T_map_base.translation).norm() > kTurning) doubtful_map.push_back(p_map);
+  }
   return {FreeSpaceAt(around, height, options, around.obstacles_map),
           FreeSpaceAt(around, height, options, doubtful_map)};
 }
@@ -225,11 +217,28 @@ void TryWays(const Surroundings& around, const Pose2& T_map_base, const MissionO
       return drive;
     });
   }
-  attempt([&](const Spaces& spaces, const Pose2& T_map_goal) {
-    std::optional<PlannedDrive> drive = DriveOfDisc(spaces.free, T_map_base, T_map_goal, options);
-    if (drive) CutToLeg(options.max_leg, *drive);
-    return drive;
-  });
+}
+
+std::vector<bool> MayHaveAPath(const Spaces& spaces, const Surroundings& around, const Pose2& T_map_base,
+                               std::span<const Pose2> T_map_goals, const MissionOptions& options) {
+  planning::FootprintOptions least = options.path.footprint;
+  least.margin *= kMarginShares.back();
+  const Pose2 start = WayToRoom(spaces.free, T_map_base, around.trail_map, least).back();
+  return planning::ReachableGoals(spaces.free, start, T_map_goals, least);
+}
+
+std::optional<PlannedDrive> DriveOfDisc(const planning::FreeSpace& space, const Pose2& T_map_base,
+                                        const Pose2& T_map_goal, const MissionOptions& options) {
+  if (options.drive_by == DriveBy::kApproach) return {};
+  const planning::GeodesicField ways =
+      planning::DistancesFrom(space, T_map_base.translation, options.planner.robot_radius);
+  const std::vector<Eigen::Vector2d> way_map = ways.PathTo(T_map_goal.translation);
+  if (way_map.empty()) return {};
+  PlannedDrive drive;
+  drive.path_map = PosesAlong(way_map, T_map_base, T_map_goal.angle);
+  drive.of_disc = true;
+  CutToLeg(options.max_leg, drive);
+  return drive;
 }
 
 }  // namespace ariadne::experiments

@@ -8,8 +8,9 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kOwnRadius = 0.28;  // within the robot's own outline, where it has stood [m]
-constexpr double kFarBeam = 30.0;    // [m]
+constexpr double kOwnRadius = 0.28;      // within the robot's own outline, where it has stood [m]
+constexpr double kFarBeam = 30.0;        // [m]
+constexpr double kNearRobotWhole = 1.5;  // what is not clear; by leaving it, the robot opens its border [m]
 constexpr double kLayerCount = 64.0;
 
 bool HasStoodAt(std::span<const slam::Pose2> T_map_bases, const Eigen::Vector2d& p_map) {
@@ -39,17 +40,20 @@ bool IsInside(const slam::OccupancyGrid& grid, std::size_t column, std::size_t r
   return true;
 }
 
-/// The centres of the cells of some kind, but for those inside of what is of that kind, and but for where
-/// the robot has stood.
+/// The centres of the cells of some kind, but for those inside of what is of that kind, unless they are
+/// near the robot, and but for where it has stood.
 template <typename Is>
 std::vector<Eigen::Vector2d> OutlinePlaces(const slam::OccupancyGrid& grid,
-                                           std::span<const slam::Pose2> T_map_bases, const Is& is) {
+                                           std::span<const slam::Pose2> T_map_bases, double near,
+                                           const Is& is) {
   std::vector<Eigen::Vector2d> places;
   for (std::size_t row = 0; row < grid.rows; ++row) {
     for (std::size_t column = 0; column < grid.columns; ++column) {
-      if (!is(column, row) || IsInside(grid, column, row, is)) continue;
+      if (!is(column, row)) continue;
       const Eigen::Vector2d cell(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
       const Eigen::Vector2d p_map = grid.origin_map + grid.resolution * cell;
+      const bool is_near = !T_map_bases.empty() && (T_map_bases.back().translation - p_map).norm() < near;
+      if (!is_near && IsInside(grid, column, row, is)) continue;
       if (!HasStoodAt(T_map_bases, p_map)) places.push_back(p_map);
     }
   }
@@ -94,13 +98,13 @@ Ground GroundMap::Look(std::span<const slam::PosedCloud> scans, std::span<const 
     return grid.At(column, row) == slam::Occupancy::kOccupied;
   };
   Ground ground;
-  ground.obstacles_map = OutlinePlaces(grid, T_map_base, occupied);
+  ground.obstacles_map = OutlinePlaces(grid, T_map_base, 0.0, occupied);
   ground.obstacles_map.insert(ground.obstacles_map.end(), met_map_.begin(), met_map_.end());
   ground.obstacles_map.insert(ground.obstacles_map.end(), fence_map_.begin(), fence_map_.end());
   if (clear.empty()) return ground;
-  ground.unclear_map = OutlinePlaces(grid, T_map_base, [&](std::size_t column, std::size_t row) {
-    return !clear[row * columns + column];
-  });
+  ground.unclear_map =
+      OutlinePlaces(grid, T_map_base, kNearRobotWhole,
+                    [&](std::size_t column, std::size_t row) { return !clear[row * columns + column]; });
   return ground;
 }
 

@@ -184,9 +184,12 @@ void Explorer::NoteFailure(const PlannedDrive& drive, const DriveReport& report)
   blocked_ = report.length > kSamePlaceAgain ? 1 : blocked_ + 1;
   if (!drive.view) return;
   const auto known = std::ranges::find_if(failed_, [&](const FailedTarget& target) {
-    return (target.p_map - drive.view->p_map).norm() < kSamePlaceAgain;
+    return target.of_disc == drive.of_disc && (target.p_map - drive.view->p_map).norm() < kSamePlaceAgain;
   });
-  (known == failed_.end() ? failed_.emplace_back(FailedTarget{drive.view->p_map, 0}) : *known).times += 1;
+  FailedTarget& target = known == failed_.end()
+                             ? failed_.emplace_back(FailedTarget{drive.view->p_map, 0, drive.of_disc})
+                             : *known;
+  target.times += 1;
 }
 
 void Explorer::ReturnToStart() {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <utility>
 
 #include "experiments/mission/drive_ways.h"
 
@@ -13,6 +14,7 @@ using slam::Pose2;
 
 constexpr double kSameTarget = 0.5;  // [m]
 constexpr int kGivenUp = 2;          // drives to one place
+constexpr double kSameRoom = 4.0;    // that the way of a disc does not lead into [m]
 
 /// A view that is worth a drive.
 struct RankedView {
@@ -22,8 +24,17 @@ struct RankedView {
 
 bool HasFailed(const Eigen::Vector2d& p_map, std::span<const FailedTarget> failed) {
   return std::ranges::any_of(failed, [&](const FailedTarget& target) {
-    return target.times >= kGivenUp && (target.p_map - p_map).norm() < kSameTarget;
+    return !target.of_disc && target.times >= kGivenUp && (target.p_map - p_map).norm() < kSameTarget;
   });
+}
+
+/// Whether ways of a disc to near it have failed.
+bool IsClosed(const Eigen::Vector2d& p_map, std::span<const FailedTarget> failed) {
+  int times = 0;
+  for (const FailedTarget& target : failed) {
+    if (target.of_disc && (target.p_map - p_map).norm() < kSameRoom) times += target.times;
+  }
+  return times >= kGivenUp;
 }
 
 /// The views of all heights, the best first; of those close to each other only the best.
@@ -58,36 +69,111 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
   return apart;
 }
 
+/// Views by their ranks, and what leads to them.
+class RankedDrives {
+ public:
+  RankedDrives(const Surroundings& around, const Pose2& T_map_base, std::vector<RankedView> ranked,
+               const MissionOptions& options, std::uint64_t seed)
+      : around_(around),
+        T_map_base_(T_map_base),
+        ranked_(std::move(ranked)),
+        options_(options),
+        seed_(seed) {
+    for (std::size_t h = 0; h < around.areas.size(); ++h)
+      spaces_.push_back(SpacesAt(around, h, T_map_base, options.planner.free_space));
+  }
+
+  std::vector<std::size_t> All() const {
+    std::vector<std::size_t> ranks(ranked_.size());
+    for (std::size_t i = 0; i < ranks.size(); ++i) ranks[i] = i;
+    return ranks;
+  }
+
+  /// By the best way that one of the best few has.
+  std::optional<PlannedDrive> ByPath(std::span<const std::size_t> ranks) const {
+    std::optional<PlannedDrive> drive;
+    const auto attempt = [&](const PlanDrive& plan_drive) {
+      for (const std::size_t rank : ranks.first(std::min(ranks.size(), BestFew()))) {
+        if (drive) return;
+        const Spaces& spaces = spaces_[ranked_[rank].height];
+        drive = To(rank, plan_drive(spaces, GoalOf(rank)));
+      }
+    };
+    TryWays(around_, T_map_base_, options_, seed_, attempt);
+    return drive;
+  }
+
+  std::optional<PlannedDrive> OfDisc(std::span<const FailedTarget> failed) const {
+    std::size_t tried = 0;
+    for (std::size_t rank = 0; rank < ranked_.size() && tried < BestFew(); ++rank) {
+      if (IsClosed(ranked_[rank].view.p_map, failed)) continue;
+      ++tried;
+      const planning::FreeSpace& space = spaces_[ranked_[rank].height].free;
+      if (auto drive = To(rank, DriveOfDisc(space, T_map_base_, GoalOf(rank), options_))) return drive;
+    }
+    return {};
+  }
+
+  /// Of those after the best few, the ones that there may be a path to.
+  std::vector<std::size_t> Rest() const {
+    std::vector<std::size_t> rest;
+    for (std::size_t h = 0; h < spaces_.size(); ++h) {
+      std::vector<std::size_t> ranks;
+      std::vector<Pose2> goals;
+      for (std::size_t rank = BestFew(); rank < ranked_.size(); ++rank) {
+        if (ranked_[rank].height == h) ranks.push_back(rank), goals.push_back(GoalOf(rank));
+      }
+      if (ranks.empty()) continue;
+      const std::vector<bool> may = MayHaveAPath(spaces_[h], around_, T_map_base_, goals, options_);
+      for (std::size_t i = 0; i < ranks.size(); ++i) {
+        if (may[i]) rest.push_back(ranks[i]);
+      }
+    }
+    std::ranges::sort(rest);
+    return rest;
+  }
+
+ private:
+  std::size_t BestFew() const { return static_cast<std::size_t>(options_.patience.targets); }
+  Pose2 GoalOf(std::size_t rank) const {
+    const planning::View& view = ranked_[rank].view;
+    return {view.direction, view.p_map};
+  }
+  std::optional<PlannedDrive> To(std::size_t rank, std::optional<PlannedDrive> drive) const {
+    if (drive) drive->view = ranked_[rank].view, drive->height = ranked_[rank].height, drive->rank = rank;
+    return drive;
+  }
+
+  const Surroundings& around_;
+  const Pose2& T_map_base_;
+  std::vector<RankedView> ranked_;
+  const MissionOptions& options_;
+  std::uint64_t seed_;
+  std::vector<Spaces> spaces_;  // by height
+};
+
 }  // namespace
 
 std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const Pose2& T_map_base,
                                           std::span<const FailedTarget> failed,
                                           const MissionOptions& options, std::uint64_t seed) {
-  const std::vector<RankedView> ranked = RankViews(around, T_map_base, failed, options, seed);
-  const std::size_t count = std::min(ranked.size(), static_cast<std::size_t>(options.patience.targets));
-  std::vector<Spaces> spaces;
-  for (std::size_t h = 0; h < around.areas.size(); ++h)
-    spaces.push_back(SpacesAt(around, h, options.planner.free_space));
-  std::optional<PlannedDrive> drive;
-  const auto try_all = [&](const auto& plan_drive) {
-    for (std::size_t rank = 0; rank < count && !drive; ++rank) {
-      const auto& [view, height] = ranked[rank];
-      drive = plan_drive(spaces[height], Pose2{view.direction, view.p_map});
-      if (drive) drive->view = view, drive->height = height, drive->rank = rank;
-    }
-  };
-  TryWays(around, T_map_base, options, seed, try_all);
+  const RankedDrives drives(around, T_map_base, RankViews(around, T_map_base, failed, options, seed),
+                            options, seed);
+  std::optional<PlannedDrive> drive = drives.ByPath(drives.All());
+  if (!drive) drive = drives.ByPath(drives.Rest());
+  if (!drive) drive = drives.OfDisc(failed);
   return drive;
 }
 
 std::optional<PlannedDrive> PlanDriveTo(const Surroundings& around, const Pose2& T_map_base,
                                         const Pose2& T_map_goal, const MissionOptions& options,
                                         std::uint64_t seed) {
-  const Spaces spaces = SpacesAt(around, 0, options.planner.free_space);
+  const Spaces spaces = SpacesAt(around, 0, T_map_base, options.planner.free_space);
   std::optional<PlannedDrive> drive;
   TryWays(around, T_map_base, options, seed, [&](const auto& plan_drive) {
     if (!drive) drive = plan_drive(spaces, T_map_goal);
   });
+  if (!drive) drive = DriveOfDisc(spaces.free, T_map_base, T_map_goal, options);
   return drive;
 }
 

@@ -12,14 +12,16 @@ namespace ariadne::experiments {
 struct FailedTarget {
   Eigen::Vector2d p_map = Eigen::Vector2d::Zero();
   int times = 0;
+  bool of_disc = false;
 };
 
 /// The next view and the path there (Sec. 4.2, 5.2): of all heights' views the one with the highest value
 /// that the rectangle has a path to with its whole margin, after it has gone back the way that it came
-/// until there is room for it; if the best few have none, with half of it; and at last the best view by
-/// the way of a disc. Places where drives have failed twice are passed over. Nothing where no view is worth
-/// a scan. Before each of these is taken, what no scan shows to be clear counts too: a path ends before it,
-/// or goes round it.
+/// until there is room for it; if the best few have none, with half of it; if that fails too, of the best
+/// few of those that there may be a path to; and at last the best view by the way of a disc. Places where
+/// drives have failed twice are passed over, and so are those near where the way of a disc has. Nothing
+/// where no view is worth a scan. Before each of these is taken, what no scan shows to be clear counts too:
+/// a path ends before it, or goes round it.
 std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const slam::Pose2& T_map_base,
                                           std::span<const FailedTarget> failed,
                                           const MissionOptions& options, std::uint64_t seed);

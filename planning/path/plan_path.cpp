@@ -288,4 +288,14 @@ PathResult PlanPath(const FreeSpace& space, const slam::Pose2& T_map_start, cons
   return PathPlanner(space, options, seed).Plan(T_map_start, T_map_goal);
 }
 
+std::vector<bool> ReachableGoals(const FreeSpace& space, const slam::Pose2& T_map_start,
+                                 std::span<const slam::Pose2> T_map_goals,
+                                 const FootprintOptions& footprint) {
+  RequirePose(T_map_start, "start");
+  for (const slam::Pose2& goal : T_map_goals) RequirePose(goal, "goal");
+  if (space.columns() == 0) return std::vector<bool>(T_map_goals.size(), false);
+  return internal::GoalsOnRaster(space, Footprint(footprint), T_map_start, T_map_goals,
+                                 std::numeric_limits<std::size_t>::max());
+}
+
 }  // namespace ariadne::planning

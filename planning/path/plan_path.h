@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "planning/path/footprint.h"
@@ -66,6 +67,13 @@ struct PathResult {
 /// Error for poses that are not finite, and for options out of their range.
 PathResult PlanPath(const FreeSpace& space, const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                     const PathOptions& options, std::uint64_t seed);
+
+/// Which of the goals the rectangle can get to from a start, by one search for all of them on a raster of
+/// poses (that of the space, 10 deg): what is narrow to a cell may count as closed. All, where the space
+/// has more than 2.7 million cells.
+std::vector<bool> ReachableGoals(const FreeSpace& space, const slam::Pose2& T_map_start,
+                                 std::span<const slam::Pose2> T_map_goals,
+                                 const FootprintOptions& footprint);
 
 }  // namespace ariadne::planning
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <queue>
 
 #include "slam/geometry/angles.h"
@@ -38,6 +39,8 @@ class PoseSearch {
 
   std::vector<slam::Pose2> Find(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                 std::size_t most);
+  std::vector<bool> Reach(const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals,
+                          std::size_t most);
 
  private:
   using Entry = std::pair<std::uint32_t, std::uint64_t>;  // cost, pose
@@ -55,7 +58,8 @@ class PoseSearch {
   }
   bool IsFree(const RasterPose& pose) const;
   std::vector<std::uint64_t> Around(const slam::Pose2& T_map_robot) const;
-  void Reach(const RasterPose& pose, std::uint32_t cost, const Move& move);
+  void Visit(const RasterPose& pose, std::uint32_t cost, const Move& move);
+  std::optional<std::uint64_t> TakeNext(std::size_t most);
   RasterPose Before(const RasterPose& pose) const;
   void Expand(std::uint64_t number);
 
@@ -104,7 +108,7 @@ std::vector<std::uint64_t> PoseSearch::Around(const slam::Pose2& T_map_robot) co
   return around;
 }
 
-void PoseSearch::Reach(const RasterPose& pose, std::uint32_t cost, const Move& move) {
+void PoseSearch::Visit(const RasterPose& pose, std::uint32_t cost, const Move& move) {
   if (!space_.IsOnRaster(pose.cell)) return;
   const std::uint64_t number = NumberOf(pose);
   std::uint32_t& known = costs_[number];
@@ -131,7 +135,7 @@ void PoseSearch::Expand(std::uint64_t number) {
   const RasterPose pose = PoseOf(number);
   const std::uint32_t cost = costs_[number];
   for (const std::int8_t turn : {std::int8_t{1}, std::int8_t{-1}}) {
-    Reach({pose.cell, (pose.heading + turn + kHeadings) % kHeadings}, cost + kTurnCost, {0, 0, turn});
+    Visit({pose.cell, (pose.heading + turn + kHeadings) % kHeadings}, cost + kTurnCost, {0, 0, turn});
   }
   const Eigen::Vector2d& axis = axes_[static_cast<std::size_t>(pose.heading)];
   for (std::int8_t row = -1; row <= 1; ++row) {
@@ -139,21 +143,42 @@ void PoseSearch::Expand(std::uint64_t number) {
       const Eigen::Vector2d step(column, row);
       if (step.isZero() || std::abs(step.dot(axis)) < kAlong * step.norm()) continue;
       const auto length = static_cast<std::uint32_t>(1024.0 * step.norm());
-      Reach({{pose.cell.column + column, pose.cell.row + row}, pose.heading}, cost + length,
+      Visit({{pose.cell.column + column, pose.cell.row + row}, pose.heading}, cost + length,
             {column, row, 0});
     }
   }
+}
+
+/// The nearest pose that was not left yet; none: all were, or enough.
+std::optional<std::uint64_t> PoseSearch::TakeNext(std::size_t most) {
+  while (!open_.empty() && visited_ <= most) {
+    const auto [cost, number] = open_.top();
+    open_.pop();
+    if (costs_[number] == cost) return number;  // else reached by a shorter way since
+  }
+  return {};
+}
+
+std::vector<bool> PoseSearch::Reach(const slam::Pose2& T_map_start,
+                                    std::span<const slam::Pose2> T_map_goals, std::size_t most) {
+  for (const std::uint64_t number : Around(T_map_start)) Visit(PoseOf(number), kStartCost, {});
+  while (const auto number = TakeNext(most)) Expand(*number);
+  std::vector<bool> reached;
+  for (const slam::Pose2& goal : T_map_goals) {
+    reached.push_back(std::ranges::any_of(Around(goal), [&](std::uint64_t number) {
+      return costs_[number] != kUnknown && costs_[number] != kNotFree;
+    }));
+  }
+  return reached;
 }
 
 std::vector<slam::Pose2> PoseSearch::Find(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                           std::size_t most) {
   const std::vector<std::uint64_t> goals = Around(T_map_goal);
   if (goals.empty()) return {};
-  for (const std::uint64_t number : Around(T_map_start)) Reach(PoseOf(number), kStartCost, {});
-  while (!open_.empty() && visited_ <= most) {
-    const auto [cost, number] = open_.top();
-    open_.pop();
-    if (costs_[number] != cost) continue;  // reached by a shorter way since
+  for (const std::uint64_t number : Around(T_map_start)) Visit(PoseOf(number), kStartCost, {});
+  while (const auto next = TakeNext(most)) {
+    const std::uint64_t number = *next;
     if (std::ranges::find(goals, number) == goals.end()) {
       Expand(number);
       continue;
@@ -169,14 +194,25 @@ std::vector<slam::Pose2> PoseSearch::Find(const slam::Pose2& T_map_start, const 
   return {};
 }
 
+bool IsTooLarge(const FreeSpace& space) {
+  const auto cells = static_cast<std::size_t>(space.columns()) * static_cast<std::size_t>(space.rows());
+  return cells * kHeadings > kMostPoses;
+}
+
 }  // namespace
 
 std::vector<slam::Pose2> PosesOnRaster(const FreeSpace& space, const Footprint& footprint,
                                        const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                        std::size_t most) {
-  const auto cells = static_cast<std::size_t>(space.columns()) * static_cast<std::size_t>(space.rows());
-  if (cells * kHeadings > kMostPoses) return {};
+  if (IsTooLarge(space)) return {};
   return PoseSearch(space, footprint).Find(T_map_start, T_map_goal, most);
+}
+
+std::vector<bool> GoalsOnRaster(const FreeSpace& space, const Footprint& footprint,
+                                const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals,
+                                std::size_t most) {
+  if (IsTooLarge(space)) return std::vector<bool>(T_map_goals.size(), true);
+  return PoseSearch(space, footprint).Reach(T_map_start, T_map_goals, most);
 }
 
 }  // namespace ariadne::planning::internal

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "planning/path/footprint.h"
@@ -15,5 +16,10 @@ namespace ariadne::planning::internal {
 std::vector<slam::Pose2> PosesOnRaster(const FreeSpace& space, const Footprint& footprint,
                                        const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                        std::size_t most);
+
+/// Which of the goals such a chain leads to; of those that are found among the first `most` poses.
+std::vector<bool> GoalsOnRaster(const FreeSpace& space, const Footprint& footprint,
+                                const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals,
+                                std::size_t most);
 
 }  // namespace ariadne::planning::internal

@@ -110,11 +110,47 @@ TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
   EXPECT_TRUE(WayBack({}, 1.0).empty());
 }
 
-TEST(ClearPoses, MayBeginInWhatIsNotFree) {
+// What it does not see beside itself is not clear; its front corner must not sweep it all the same.
+TEST(PlanDrive, TouchesNothingThatIsNotClearBeforeIt) {
+  const Surroundings around = RoomWithLine(1.9, 1.2);
+  const auto drive = DriveThrough(around);
+  ASSERT_TRUE(drive);
+  EXPECT_NEAR(drive->path_map.back().translation.x(), 9.0, 0.05);
+  for (const Pose2& pose : drive->path_map) {
+    for (const Vector2d& p_map : around.unclear_map)
+      ASSERT_GT(control::GapTo({.margin = 0.04}, pose, p_map), -0.03);
+  }
+}
+
+TEST(PlanDrive, TurnsWhereItStandsWhateverIsNotClearBesideIt) {
+  Surroundings around = RoomWithLine(6.0, 4.5);
+  for (double x = 0.6; x < 1.4; x += 0.03) around.unclear_map.emplace_back(x, 1.45);
+  const auto drive = DriveThrough(around);
+  ASSERT_TRUE(drive);
+  EXPECT_FALSE(drive->leg_only);
+  EXPECT_NEAR(LengthOf(drive->path_map), 8.0, 0.3);
+}
+
+TEST(ReachableGoals, AreThoseOnTheSameSideOfASlit) {
+  const slam::Polygon2 room{{{0.0, 0.0}, {10.0, 0.0}, {10.0, 4.0}, {0.0, 4.0}}, {}};
+  const auto reached = [&](double slit) {
+    std::vector<Vector2d> wall;
+    for (double y = 0.0; y <= 4.0; y += 0.03) {
+      if (std::abs(y - 2.0) > 0.5 * slit) wall.emplace_back(5.0, y);
+    }
+    const planning::FreeSpace space({&room, 1}, {}, wall);
+    const std::vector<Pose2> goals{{0.0, {3.0, 3.0}}, {1.0, {8.0, 1.0}}, {0.0, {9.9, 2.0}}};
+    return planning::ReachableGoals(space, {0.0, {1.0, 1.0}}, goals, {});
+  };
+  EXPECT_EQ(reached(0.9), (std::vector<bool>{true, true, false}));
+  EXPECT_EQ(reached(0.65), (std::vector<bool>{true, false, false}));
+}
+
+TEST(ClearPoses, EndBeforeWhatIsNotFree) {
   const slam::Polygon2 room{{{0.0, 0.0}, {10.0, 0.0}, {10.0, 4.0}, {0.0, 4.0}}, {}};
   const planning::FreeSpace space({&room, 1});
   std::vector<Pose2> path;
-  for (double x = 0.3; x < 11.0; x += 0.1) path.push_back({0.0, {x, 2.0}});
+  for (double x = 0.5; x < 11.0; x += 0.1) path.push_back({0.0, {x, 2.0}});
   const std::size_t clear = ClearPoses(path, space, {});
   ASSERT_LT(clear, path.size());
   EXPECT_NEAR(path[clear].translation.x(), 9.6, 0.11);
