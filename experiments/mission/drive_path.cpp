@@ -139,11 +139,12 @@ bool PathDrive::HasLeft(const slam::Pose2& place) const {
   return (now.translation - place.translation).norm() > kLeft || TurnBetween(now, place) > kLeftTurn;
 }
 
-/// Away from what the robot touches: the way that it came, and if that is barred, any that is not.
+/// Away from what holds the robot up: the way that it came. If it touches something, and that way is
+/// barred, any that is not.
 void PathDrive::BackOff() {
   const slam::Pose2 touching = localizer_.T_map_base();
   FollowBack(robot_.Now());
-  if (!HasLeft(touching)) Wriggle();
+  if (robot_.State().blocked && !HasLeft(touching)) Wriggle();
   Halt();
 }
 

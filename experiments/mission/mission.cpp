@@ -16,6 +16,8 @@ namespace {
 using slam::Pose2;
 
 constexpr double kSamePlaceAgain = 0.5;  // [m]
+constexpr double kNotFar = 1.0;          // to and fro, between drives that are blocked [m]
+constexpr double kAway = 3.0;            // from where nothing leads on [m]
 constexpr double kPathStep = 0.05;       // of the path that is kept [m]
 
 /// Where what the map knows has held the robot up, the map or the robot err by more than half the margin of
@@ -70,7 +72,8 @@ class Explorer {
   std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
   std::vector<Eigen::Vector2d> held_map_;       // of these, what has held the robot up
   std::vector<FailedTarget> failed_;
-  int blocked_ = 0, unregistered_ = 0;  // in a row
+  int blocked_ = 0, unregistered_ = 0;                     // in a row
+  Eigen::Vector2d blocked_map_ = Eigen::Vector2d::Zero();  // near which it was blocked so often
 };
 
 void Explorer::AcquireAndRegister() {
@@ -128,6 +131,8 @@ std::optional<PlannedDrive> Explorer::Plan() {
     std::size_t sure = map_.size() - 1;
     while (sure > 0 && !map_.registered(sure)) --sure;
     drive = PlanDriveTo(around, T_map_base, map_.T_map_base(sure), options_, seed);
+  } else if (2 * blocked_ >= options_.patience.blocked) {
+    drive = PlanRetreat(around.trail_map, kAway);
   } else {
     drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
     if (!drive && options_.area.sparse.max_spacing > 0.0) {
@@ -181,7 +186,9 @@ void Explorer::Drive(const PlannedDrive& drive) {
 }
 
 void Explorer::NoteFailure(const PlannedDrive& drive, const DriveReport& report) {
-  blocked_ = report.length > kSamePlaceAgain ? 1 : blocked_ + 1;
+  const Eigen::Vector2d& p_map = report.poses_map.back().translation;
+  if (blocked_ == 0 || (p_map - blocked_map_).norm() > kNotFar) blocked_ = 0, blocked_map_ = p_map;
+  ++blocked_;
   if (!drive.view) return;
   const auto known = std::ranges::find_if(failed_, [&](const FailedTarget& target) {
     return target.of_disc == drive.of_disc && (target.p_map - drive.view->p_map).norm() < kSamePlaceAgain;

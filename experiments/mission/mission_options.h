@@ -74,7 +74,8 @@ struct MissionPatience {
           "views that a path is looked for to, the best first (5.2), before the robot takes the way of a "
           "disc");
     visit("blocked", self.blocked, Unit(""), Range{1, 1000},
-          "drives in a row that end at an obstacle, after which the robot is stuck");
+          "drives in a row that end at an obstacle near one place, after which the robot is stuck; after "
+          "half as many it goes back the way that it came");
     visit("unregistered", self.unregistered, Unit(""), Range{1, 1000},
           "scans in a row that cannot be registered, after which the robot is lost; before, it drives back "
           "to "

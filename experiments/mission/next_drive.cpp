@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "experiments/mission/drive_ways.h"
+#include "experiments/mission/way_back.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -174,6 +175,13 @@ std::optional<PlannedDrive> PlanDriveTo(const Surroundings& around, const Pose2&
     if (!drive) drive = plan_drive(spaces, T_map_goal);
   });
   if (!drive) drive = DriveOfDisc(spaces.free, T_map_base, T_map_goal, options);
+  return drive;
+}
+
+PlannedDrive PlanRetreat(std::span<const Pose2> trail_map, double away) {
+  PlannedDrive drive;
+  drive.path_map = WayBack(trail_map, away);
+  drive.retraced = drive.path_map.size();
   return drive;
 }
 

@@ -31,4 +31,7 @@ std::optional<PlannedDrive> PlanDriveTo(const Surroundings& around, const slam::
                                         const slam::Pose2& T_map_goal, const MissionOptions& options,
                                         std::uint64_t seed);
 
+/// Back the way that the robot came, so far from where it stands [m].
+PlannedDrive PlanRetreat(std::span<const slam::Pose2> trail_map, double away);
+
 }  // namespace ariadne::experiments

@@ -98,6 +98,16 @@ TEST(PlanDrive, GoesBackTheWayItCameWhereThereIsNoRoom) {
 
 TEST(PlanDrive, FindsNoWayWhereItDoesNotKnowHowItCame) { EXPECT_FALSE(DriveOutOfACorner(false)); }
 
+TEST(PlanRetreat, GoesBackAsFarAsItIsTold) {
+  std::vector<Pose2> trail;
+  for (double x = 0.0; x < 8.0; x += 0.05) trail.push_back({0.0, {x, 1.0}});
+  const PlannedDrive drive = PlanRetreat(trail, 3.0);
+  EXPECT_FALSE(drive.view);
+  EXPECT_EQ(drive.retraced, drive.path_map.size());
+  EXPECT_EQ(drive.path_map.front().translation, trail.back().translation);
+  EXPECT_NEAR(LengthOf(drive.path_map), 3.0, 0.06);
+}
+
 TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
   std::vector<Pose2> driven;
   for (const double x : {0.0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2, 0.3, 0.4, 0.5, 0.6})
