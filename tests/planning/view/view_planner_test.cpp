@@ -244,6 +244,29 @@ TEST(ViewPlanner, RefusesViewsWithoutOverlap) {
   EXPECT_EQ(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1).status, NextViewStatus::kNoGain);
 }
 
+/// Straight at the unseen side there is no overlap; a place with a direction that has it must not be lost.
+TEST(ViewPlanner, LooksAsideToHaveOverlap) {
+  ViewPlannerOptions options;
+  options.view.min_gain = 1;
+  options.refined = 0;
+  const ViewPlan free = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  options.min_overlap = 0.9;
+  const ViewPlan plan = PlanNextView(TwoRooms(), kInTheLeftRoom, options, 1);
+  ASSERT_TRUE(free.chosen && plan.chosen);
+  EXPECT_LT(free.views[*free.chosen].overlap, 0.9);
+  EXPECT_GE(plan.views[*plan.chosen].overlap, 0.9);
+  ASSERT_EQ(plan.views.size(), free.views.size());
+  int turned = 0;
+  for (std::size_t i = 0; i < plan.views.size(); ++i) {
+    if (free.views[i].overlap >= 0.9) {
+      EXPECT_EQ(plan.views[i].direction, free.views[i].direction);
+    } else if (plan.views[i].overlap >= 0.9 && plan.views[i].gain >= 1) {
+      ++turned;
+    }
+  }
+  EXPECT_GT(turned, 20);
+}
+
 TEST(ViewPlanner, OfThePaperStaysNear) {
   const ViewPlan paper = PlanNextView(TwoRooms(), kInTheLeftRoom, PaperViewPlannerOptions(), 1);
   const ViewPlan calibrated = PlanNextView(TwoRooms(), kInTheLeftRoom, {}, 1);
