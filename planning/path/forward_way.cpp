@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kPlace = 0.1;  // [m]
 constexpr int kHeadings = 48;
-constexpr double kStep = 0.15;       // leaves the place, also on a diagonal [m]
-constexpr double kJoinWithin = 6.0;  // length of the last piece [m]
-constexpr double kNearGoal = 1.5;    // where each pose is tried for it, farther away one of ... [m]
-constexpr std::size_t kFarTries = 20;
+constexpr double kStep = 0.15;         // leaves the place, also on a diagonal [m]
+constexpr double kJoinWithin = 6.0;    // length of the last piece [m]
+constexpr double kNearGoal = 1.5;      // within which each pose is tried for it [m]
+constexpr std::size_t kFarTries = 20;  // farther away one of so many is
 
 /// Poses and what they were reached from; of each place and heading the first that comes.
 class ForwardSearch {

@@ -87,6 +87,41 @@ TEST(RayGain, MeetsWhatPlainRaysMeetInTheHall) {
   EXPECT_GT(compared, 35900);
 }
 
+/// The largest number of unseen hits within half a turn, both end rays included, by plain rays.
+int GainPlainly(std::span<const Edge> edges, const Eigen::Vector2d& p, double heading,
+                const RayGainOptions& options) {
+  std::vector<int> unseen;
+  for (int i = 0; i < options.rays; ++i) {
+    const PlainHit hit = CastPlainly(edges, p, heading + 2.0 * std::numbers::pi * i / options.rays);
+    const bool in_range = hit.distance >= options.min_range && hit.distance <= options.max_range;
+    unseen.push_back(in_range && !hit.seen ? 1 : 0);
+  }
+  int best = 0;
+  for (int first = 0; first < options.rays; ++first) {
+    int sum = 0;
+    for (int k = 0; k <= options.rays / 2; ++k)
+      sum += unseen[static_cast<std::size_t>((first + k) % options.rays)];
+    best = std::max(best, sum);
+  }
+  return best;
+}
+
+TEST(RayGain, IsExactWithinOneOf181Rays) {
+  int same = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<Edge> edges = LabelledHall(seed);
+    const double heading = 0.1 * static_cast<double>(seed);
+    const RayGain gain(edges, heading, {});
+    for (const Eigen::Vector2d& p : PlacesInHall(50, seed)) {
+      const int exact = GainPlainly(edges, p, heading, {}), found = gain.At(p).gain;
+      EXPECT_NEAR(found, exact, 1) << p.transpose();
+      EXPECT_GT(found, 0);
+      same += found == exact ? 1 : 0, ++all;
+    }
+  }
+  EXPECT_GE(same, 0.95 * all);
+}
+
 TEST(RayGain, MeetsWhatPlainRaysMeetAmongAnyEdges) {
   RandomStream stream = NamedStream(4, "ray_gain");
   int compared = 0, rays = 0;

@@ -275,18 +275,43 @@ TEST(ViewPlanner, OfThePaperStaysNear) {
   EXPECT_GT(calibrated.views[*calibrated.chosen].distance, 1.5);
 }
 
-TEST(ViewPlanner, RepeatsItself) {
-  for (const auto policy : {ViewPolicy::kExponential, ViewPolicy::kRandom, ViewPolicy::kTwoSteps}) {
-    const ViewPlan first = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 7);
-    for (int k = 0; k < 99; ++k) {
-      const ViewPlan again = PlanNextView(TwoRooms(), kInTheLeftRoom, OfPolicy(policy), 7);
-      ASSERT_EQ(again.chosen, first.chosen);
-      ASSERT_EQ(again.views.size(), first.views.size());
-      for (std::size_t i = 0; i < first.views.size(); ++i) {
-        ASSERT_EQ(again.views[i].p_map, first.views[i].p_map);
-        ASSERT_EQ(again.views[i].value, first.views[i].value);
-      }
-    }
+/// All numbers of a plan, to be compared bit by bit.
+std::vector<double> NumbersOf(const ViewPlan& plan) {
+  std::vector<double> numbers{plan.chosen ? static_cast<double>(*plan.chosen) : -1.0};
+  for (const View& view : plan.views) {
+    numbers.insert(numbers.end(), {view.p_map.x(), view.p_map.y(), view.direction, view.area, view.shown,
+                                   view.overlap, view.distance, view.turn, view.value});
+    numbers.push_back(view.gain);
+  }
+  for (const Vector2d& p : plan.path_map) numbers.insert(numbers.end(), {p.x(), p.y()});
+  return numbers;
+}
+
+void ExpectRepeats(const ViewPlannerOptions& options, int times) {
+  const std::vector<double> first = NumbersOf(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 7));
+  EXPECT_GT(first.size(), 20U);
+  for (int k = 1; k < times; ++k) {
+    const std::vector<double> again = NumbersOf(PlanNextView(TwoRooms(), kInTheLeftRoom, options, 7));
+    ASSERT_EQ(again.size(), first.size());
+    ASSERT_EQ(std::memcmp(again.data(), first.data(), sizeof(double) * first.size()), 0);
+  }
+}
+
+TEST(ViewPlanner, RepeatsItselfToTheByte) {
+  for (const auto policy : {ViewPolicy::kExponential, ViewPolicy::kRandom, ViewPolicy::kTwoSteps})
+    ExpectRepeats(OfPolicy(policy), 100);
+  ExpectRepeats(PaperViewPlannerOptions(), 100);
+}
+
+/// OMPL numbers its generators in the order in which they are made.
+TEST(ViewPlanner, RepeatsItselfToTheByteWithOmpl) {
+  for (std::size_t i = 0; i < EnumNames<CandidateSampler>::value.size(); ++i) {
+    ViewPlannerOptions options;
+    options.sampler = static_cast<CandidateSampler>(i);
+    options.candidates.count = 50;
+    options.way = i % 2 == 0 ? WayLength::kRoadmap : WayLength::kGeodesic;
+    SCOPED_TRACE(EnumNames<CandidateSampler>::value[i]);
+    ExpectRepeats(options, 10);
   }
 }
 
