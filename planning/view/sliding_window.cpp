@@ -49,10 +49,12 @@ double WrapSteps(double steps, int n) {
 /// The centre of the longest plateau of `largest`, the middle of which may lie between two windows.
 double BestCenter(const std::vector<int>& sums, int largest, int width, bool between) {
   const auto n = static_cast<int>(sums.size());
-  double best = between ? 0.0 : 0.5 * ((width - 1) % 2);
+  const int odd_gap = (width - 1) % 2;  // 1: the middle of a window lies between two values
+  double best = between ? 0.0 : 0.5 * odd_gap;
   int longest = 0;
   for (const auto& [first, length] : Plateaus(sums, largest)) {
-    const double middle = between ? 0.5 * (length - 1) : (length - 1) / 2;
+    const int first_middle = (length - 1) / 2;
+    const double middle = between ? 0.5 * (length - 1) : first_middle;
     const double center = WrapSteps(first + middle + 0.5 * (width - 1), n);
     const double turn = std::abs(center), best_turn = std::abs(best);
     const bool is_nearer = turn < best_turn || (turn == best_turn && center > best);
