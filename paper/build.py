@@ -23,6 +23,7 @@ import plots
 import png
 import tables
 import values as v
+import view_plots
 import view_values
 from runs import Experiments, RunError, read_json
 
@@ -169,6 +170,9 @@ def views(values, experiments):
     v.add_options(values, "nbv", run)
     view_values.add_views(values, "nbv", run)
     (BUILD / "table_nbv.tex").write_text(tables.views(v.read_csv(run / "policies.csv")))
+    view_plots.coverage(BUILD / "plot_by_scans.tex", run, "covered_by_scans", "scans / fewest")
+    view_plots.coverage(BUILD / "plot_by_way.tex", run, "covered_by_way", "way / tour")
+    view_plots.names(BUILD / "plot_policies.tex")
     driving_values.add_planning_time(values, "planning", experiments.run("planning_time"))
 
 

@@ -1,4 +1,4 @@
-"""The sections on driving and devices find their numbers, pictures and tables: paper_test.py PROGRAM.
+"""The sections on views, driving and devices find their numbers, pictures and tables: paper_test.py PROGRAM.
 
 The runs are made up; their options are those of the program.
 """
@@ -19,7 +19,7 @@ import driving_values  # noqa: E402
 import values as v  # noqa: E402
 
 PROGRAM = None
-SECTIONS = ("driving", "devices")
+SECTIONS = ("views", "driving", "devices")
 
 CONTROLLERS = """controller,starts,at goal %,way / line,95 %,time s,95 % s,worst mm,worst deg,1/m at 0.5 m,1/m at 5 cm,turning,violations
 indiveri,100,100.0000,1.466,2.172,15.925,26.472,9.992,0.245,0.638,0.596,1.700,0
@@ -41,7 +41,35 @@ entrance_hall,wheels' errors x 2,2,-,-,-,-,-,-,-,-,0.00,0.5,1.00,50
 DIFFERENCES = """mission,pairs,walls %,surface %,position mm,map mm
 robot emulated - default,5,"+2.1 [-0.9, +5.0]","+2.5 [-2.0, +6.9]","+0.3 [-1.0, +2.0]","-0.1 [-0.3, +0.2]"
 """
-FILES = {"ablation_control": {"controllers.csv": CONTROLLERS}, "walking_persons": {"persons.csv": PERSONS},
+POLICIES = """policies,scans / fewest,way / tour,reached %,ended %,covered %,least %,"scans, change %",p,"way, change %",p way
+default,"1.6 [1.5, 1.7]","1.3 [1.2, 1.4]",100.0,100.0,99.6,96.3,"+0 [+0, +0]",1,"+0 [+0, +0]",1
+paper,"8.1 [8, never]","2.1 [2, never]",75.0,78.0,95.0,9.0,"+400 [+300, never]",0.001,"+60 [+40, never]",0.001
+"""
+SAMPLERS = """samplers,"scans, change %",p
+uniform,"+0 [+0, +0]",1
+gaussian,"-3 [-5, -1]",0.01
+bridge_test,"never [+4, never]",0.2
+"""
+WAYS = """ways,"scans, change %",p,"way, change %",p way
+straight,"+1 [-6, +8]",0.97,"+13 [+9, +17]",0.01
+controller_length,"+9 [+4, +14]",0.0035,"-10 [-13, -5]",0.02
+controller_time,"+14 [+8, +17]",0.001,"-2 [-5, +1]",0.4
+"""
+CURVES = """policy,bound,covered_by_scans,covered_by_way
+default,0.0,0.05,0.05
+default,4.0,0.99,1.0
+paper,0.0,0.05,0.05
+paper,4.0,0.5,0.7
+"""
+TIMES = """what,candidates,edges,decisions,median ms,99 % ms,max ms
+whole decision,200,996,200,10.31,14.04,17.30
+candidates and gain,200,996,200,5.38,7.74,8.76
+whole decision,50,996,200,3.91,7.44,9.23
+"""
+FILES = {"ablation_nbv": {"policies.csv": POLICIES, "samplers.csv": SAMPLERS, "ways.csv": WAYS, "curves.csv": CURVES,
+                          "floors.csv": "floor\nschool\noffice\n"},
+         "planning_time": {"timing.csv": TIMES},
+         "ablation_control": {"controllers.csv": CONTROLLERS}, "walking_persons": {"persons.csv": PERSONS},
          "ablation_mission": {"trials.csv": TRIALS, "worlds.csv": WORLDS},
          "emulated_robot": {"differences.csv": DIFFERENCES}, "fig_12": {"metrics.json": '{"stops": 114}'},
          "fig_13": {"metrics.json": '{"scans": 9}'}}
@@ -77,6 +105,7 @@ class Sections(unittest.TestCase):
         build.say = lambda text: None
         cls.values = v.Values()
         experiments = MadeUpExperiments(pathlib.Path(cls.folder.name))
+        build.views(cls.values, experiments)
         build.driving(cls.values, experiments)
         build.devices(cls.values, experiments)
 
@@ -98,6 +127,28 @@ class Sections(unittest.TestCase):
                 self.assertTrue((build.BUILD / f"{picture}.png").exists(), picture)
             for table in re.findall(r"\\input\{([^}]+)\}", self.text_of(section)):
                 self.assertTrue((build.BUILD / f"{table}.tex").exists(), table)
+
+    def test_samplers_are_judged_by_their_tests(self):
+        self.assertEqual(self.values.texts["nbv.samplers.best.name"], "gaussian")
+        self.assertEqual(self.values.texts["nbv.samplers.worst.name"], "bridge test")
+        verdict = self.values.texts["nbv.samplers.verdict"]
+        self.assertIn(r"fewer scans than with uniform candidates are needed with gaussian ($-$3 [$-$5, $-$1]", verdict)
+        self.assertNotIn("bridge", verdict)
+
+    def test_ways_cost_scans_too(self):
+        self.assertEqual(self.values.texts["nbv.ways.controller_length.scans.change"], "$+$9 [$+$4, $+$14]")
+        self.assertEqual(self.values.texts["nbv.ways.controller_length.way.p"], "0.02")
+
+    def test_the_whole_decision_is_timed(self):
+        self.assertEqual(self.values.texts["planning.median"], "10.3")
+        self.assertEqual(self.values.texts["planning.late"], "14.0")
+        self.assertEqual(self.values.texts["nbv.floor_count"], "2")
+
+    def test_curves_end_where_they_say(self):
+        text = (build.BUILD / "plot_by_scans.tex").read_text()
+        top = 28 + 0.99 * (150 - 28)
+        self.assertIn(f"196.00 {top:.2f} l", text)
+        self.assertIn("nearest frontier", (build.BUILD / "plot_policies.tex").read_text())
 
     def test_missions_are_held_to_what_they_should_reach(self):
         for key, text in (("runs", 2), ("ended", 1), ("untouched", 1), ("contacts", 2), ("covering", 1), ("straight", 1),
