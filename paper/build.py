@@ -12,6 +12,8 @@ import shutil
 import subprocess
 import sys
 
+import driving_tables
+import driving_values
 import figure_values
 import garage_values
 import graph_values
@@ -21,6 +23,7 @@ import plots
 import png
 import tables
 import values as v
+import view_plots
 import view_values
 from runs import Experiments, RunError, read_json
 
@@ -28,6 +31,7 @@ PAPER = pathlib.Path(__file__).resolve().parent
 BUILD = PAPER / "build"
 METHODS = ("pairwise", "metascan", "simultaneous")  # of 2003
 SEEDS = range(1, 21)
+MISSION_SETS = ("seeds=2",)  # of ten: a mission takes minutes
 NO_OUTPUT = ("output.map=false", "output.figures=false")
 
 # The variants of the office: key, config, assignments.
@@ -166,6 +170,34 @@ def views(values, experiments):
     v.add_options(values, "nbv", run)
     view_values.add_views(values, "nbv", run)
     (BUILD / "table_nbv.tex").write_text(tables.views(v.read_csv(run / "policies.csv")))
+    view_plots.coverage(BUILD / "plot_by_scans.tex", run, "covered_by_scans", "scans / fewest")
+    view_plots.coverage(BUILD / "plot_by_way.tex", run, "covered_by_way", "way / tour")
+    view_plots.names(BUILD / "plot_policies.tex")
+    driving_values.add_planning_time(values, "planning", experiments.run("planning_time"))
+
+
+def driving(values, experiments):
+    say("control and missions (takes hours: whole missions in two buildings, in each way)")
+    runs = {name: experiments.run(name) for name in ("fig_08", "fig_09", "fig_10", "fig_12", "fig_13")}
+    for name, run in runs.items():
+        for picture in (run / "figures").glob("fig_*.png"):
+            shutil.copyfile(picture, BUILD / picture.name)
+    v.add_options(values, "fig9", runs["fig_09"])
+    v.add_metrics(values, "fig12", runs["fig_12"])
+    v.add_metrics(values, "fig13", runs["fig_13"])
+    for key, config, sets in (("control", "ablation_control", ()), ("persons", "walking_persons", ()),
+                              ("missions", "ablation_mission", MISSION_SETS)):
+        run = experiments.run(config, sets=sets)
+        v.add_options(values, key, run)
+        getattr(driving_values, f"add_{key}")(values, run)
+        (BUILD / f"table_{key}.tex").write_text(getattr(driving_tables, key)(run))
+
+
+def devices(values, experiments):
+    say("emulated devices against the simulated robot")
+    run = experiments.run("emulated_robot")
+    v.add_options(values, "devices", run)
+    (BUILD / "table_devices.tex").write_text(driving_tables.devices(run))
 
 
 def loop(values, experiments):
@@ -288,6 +320,8 @@ def main():
             graphs(values, real_data, experiments)
             if real_data:
                 views(values, experiments)
+            driving(values, experiments)
+            devices(values, experiments)
         finally:
             experiments.save_records()
     except RunError as error:

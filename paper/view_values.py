@@ -19,8 +19,9 @@ def add_views(values, name, run):
         values.set(f"{name}.samplers.{key}.change", with_minus_signs(row["scans, change %"]))
         values.set(f"{name}.samplers.{key}.p", row["p"])
     for row in read_csv(run / "ways.csv"):
-        values.set(f"{name}.ways.{row['ways']}.change", with_minus_signs(row["way, change %"]))
-        values.set(f"{name}.ways.{row['ways']}.p", row["p way"])
+        for what, change, p in (("way", "way, change %", "p way"), ("scans", "scans, change %", "p")):
+            values.set(f"{name}.ways.{row['ways']}.{what}.change", with_minus_signs(row[change]))
+            values.set(f"{name}.ways.{row['ways']}.{what}.p", row[p])
 
 
 def estimate(text):

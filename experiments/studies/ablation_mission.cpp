@@ -142,7 +142,7 @@ std::string ReportMissions(const AblationMissionOptions& options, const std::vec
        MissionVariantTable(trials, options.target, options.bootstrap));
   keep("differences", "against the first way, in pairs (means with intervals)",
        MissionDifferenceTable(trials, options.mission.limits.max_scans, options.bootstrap));
-  keep("worlds", "world by world (medians)", MissionWorldTable(trials, options.target));
+  keep("worlds", "world by world (the same)", MissionWorldTable(trials, options.target));
   run.WriteJson("timing.json", MissionTrialTimes(trials));
   return text;
 }

@@ -51,10 +51,11 @@ double MeanMission(const MissionTrials& trials, double MissionTrial::*value) {
 // Where the target was not reached, the number of scans is
 /// infinite, which a median can bear; "-" says that it is.
 Table MissionVariantTable(const MissionTrials& trials, double target, const BootstrapOptions& bootstrap) {
-  Table table{{"mission", "runs", "reached %", fmt::format("scans to {} %", Percent(target)),
-               fmt::format("way to {} % m", Percent(target)), "scans", "way m", "walls %", "mapped %",
-               "surface %", "position cm", "map mm", "refused", "given up", "collisions", "ended %"},
-              {}};
+  Table table{
+      {"mission", "runs", "reached %", fmt::format("scans to {} %", Percent(target)),
+       fmt::format("way to {} % m", Percent(target)), "scans", "way m", "minutes", "walls %", "mapped %",
+       "surface %", "position cm", "map mm", "refused", "given up", "collisions", "ended %"},
+      {}};
   for (const MissionTrials& group : MissionTrialsBy(&MissionTrial::way, trials)) {
     const auto median = [&](double MissionTrial::*value, double per_unit, int digits) {
       return FiniteText(per_unit * Median(EachMission(group, [&](const auto& t) { return t.*value; })),
@@ -70,8 +71,9 @@ Table MissionVariantTable(const MissionTrials& trials, double target, const Boot
          MedianWithInterval(EachMission(group, [](const auto& t) { return t.target_scans; }), 1, bootstrap),
          MedianWithInterval(EachMission(group, [](const auto& t) { return t.target_path; }), 0, bootstrap),
          median(&MissionTrial::scans, 1.0, 1), median(&MissionTrial::path, 1.0, 0),
-         median(&MissionTrial::covered, 100.0, 1), median(&MissionTrial::mapped, 100.0, 1),
-         verdict(&MissionVerdict::surface_covered, 100.0), verdict(&MissionVerdict::translation_rms, 100.0),
+         median(&MissionTrial::minutes, 1.0, 1), median(&MissionTrial::covered, 100.0, 1),
+         median(&MissionTrial::mapped, 100.0, 1), verdict(&MissionVerdict::surface_covered, 100.0),
+         verdict(&MissionVerdict::translation_rms, 100.0),
          verdict(&MissionVerdict::map_error_median, 1000.0),
          fmt::format("{:.2f}", MeanMission(group, &MissionTrial::refused)),
          fmt::format("{:.1f}", MeanMission(group, &MissionTrial::blocked)),
@@ -82,24 +84,30 @@ Table MissionVariantTable(const MissionTrials& trials, double target, const Boot
 }
 
 Table MissionWorldTable(const MissionTrials& trials, double target) {
-  Table table{{"world", "mission", fmt::format("scans to {} %", Percent(target)), "scans", "way m",
-               "walls %", "mapped %", "surface %", "position cm", "map mm", "refused", "collisions"},
+  Table table{{"world", "mission", "runs", fmt::format("scans to {} %", Percent(target)), "scans", "way m",
+               "minutes", "walls %", "mapped %", "surface %", "least surface %", "position cm", "worst cm",
+               "map mm", "refused", "given up", "collisions", "ended %"},
               {}};
   for (const MissionTrials& world : MissionTrialsBy(&MissionTrial::world, trials)) {
     for (const MissionTrials& group : MissionTrialsBy(&MissionTrial::way, world)) {
       const auto median = [&](const std::function<double(const MissionTrial&)>& value, int digits) {
         return FiniteText(Median(EachMission(group, value)), digits);
       };
+      const auto surface = [](auto& t) { return 100.0 * t.verdict.surface_covered; };
+      const auto position = [](auto& t) { return 100.0 * t.verdict.translation_rms; };
       table.rows.push_back(
-          {world.front().world, group.front().way, median([](auto& t) { return t.target_scans; }, 1),
-           median([](auto& t) { return t.scans; }, 1), median([](auto& t) { return t.path; }, 0),
+          {world.front().world, group.front().way, std::to_string(group.size()),
+           median([](auto& t) { return t.target_scans; }, 1), median([](auto& t) { return t.scans; }, 1),
+           median([](auto& t) { return t.path; }, 0), median([](auto& t) { return t.minutes; }, 1),
            median([](auto& t) { return 100.0 * t.covered; }, 1),
-           median([](auto& t) { return 100.0 * t.mapped; }, 1),
-           median([](auto& t) { return 100.0 * t.verdict.surface_covered; }, 1),
-           median([](auto& t) { return 100.0 * t.verdict.translation_rms; }, 1),
+           median([](auto& t) { return 100.0 * t.mapped; }, 1), median(surface, 1),
+           FiniteText(std::ranges::min(EachMission(group, surface)), 1), median(position, 1),
+           FiniteText(std::ranges::max(EachMission(group, position)), 1),
            median([](auto& t) { return 1000.0 * t.verdict.map_error_median; }, 1),
            fmt::format("{:.2f}", MeanMission(group, &MissionTrial::refused)),
-           fmt::format("{:.2f}", MeanMission(group, &MissionTrial::collisions))});
+           fmt::format("{:.1f}", MeanMission(group, &MissionTrial::blocked)),
+           fmt::format("{:.2f}", MeanMission(group, &MissionTrial::collisions)),
+           Percent(MeanMission(group, &MissionTrial::ended))});
     }
   }
   return table;

@@ -13,7 +13,8 @@ namespace ariadne::experiments {
 Table MissionVariantTable(const std::vector<MissionTrial>& trials, double target,
                           const BootstrapOptions& bootstrap);
 
-/// A row per world and way: medians over the seeds.
+/// A row per world and way: medians over the seeds, the least that a run covered and the worst of its
+/// poses, and means of what should not happen.
 Table MissionWorldTable(const std::vector<MissionTrial>& trials, double target);
 
 /// Against the first way, in pairs of the same world and seed: mean differences. Where the target was not

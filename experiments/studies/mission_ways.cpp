@@ -19,9 +19,10 @@ Enum ByName(const std::string& list, const std::string& name) {
   return static_cast<Enum>(found - names.begin());
 }
 
-void SetPlanner(const std::string& name, MissionOptions& mission) {
+void SetPlanner(const std::string& name, int paper_scans, MissionOptions& mission) {
   if (name == "paper") {
     mission.planner = PaperRobotPlannerOptions(mission.planner);
+    mission.limits.max_scans = std::min(mission.limits.max_scans, paper_scans);
   } else {
     mission.planner.policy = ByName<planning::ViewPolicy>("planners", name);
   }
@@ -79,12 +80,13 @@ std::vector<MissionVariant> MissionVariants(const MissionOptions& mission,
     MissionOptions& paper = add("2003").mission;
     paper = PaperMissionOptions();
     paper.limits = mission.limits;
+    paper.limits.max_scans = std::min(paper.limits.max_scans, variants.paper_scans);
   }
   for (const std::string& name : ListedNames(variants.matching))
     add("matching " + name).mission.mapper.registration.method =
         ByName<slam::MatchMethod>("matching", name);
   for (const std::string& name : ListedNames(variants.planners))
-    SetPlanner(name, add("planner " + name).mission);
+    SetPlanner(name, variants.paper_scans, add("planner " + name).mission);
   for (const double overlap : ListedNumbers(variants.overlaps, "overlaps"))
     add(fmt::format("overlap {}", overlap)).mission.planner.min_overlap = overlap;
   for (std::string heights : ListedNames(variants.slices)) {

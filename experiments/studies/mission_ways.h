@@ -12,6 +12,7 @@ namespace ariadne::experiments {
 /// What is done otherwise than the configured mission does it, one thing at a time.
 struct MissionVariantOptions {
   bool paper = true;
+  int paper_scans = 60;
   std::string matching;
   std::string planners;
   std::string overlaps;
@@ -26,6 +27,9 @@ struct MissionVariantOptions {
         "paper", self.paper,
         "the configuration of 2003: the queue with points of slices, the printed constants of the planner, "
         "the controller with its fallbacks, odometry alone while driving");
+    visit("paper_scans", self.paper_scans, Unit(""), Range{1, 100000},
+          "after which missions with the paper's planner end, where mission.limits.max_scans does not end "
+          "them before: it hardly leaves its neighbourhood, where something small is always left to see");
     visit("matching", self.matching, "methods of registration: a, b, ...; empty: none");
     visit(
         "planners", self.planners,

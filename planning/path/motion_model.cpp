@@ -101,19 +101,19 @@ std::vector<slam::Pose2> MotionModel::BetweenByFrame(const slam::Pose2& from, co
   return Straight(from, to, std::max(1, static_cast<int>(std::ceil(moved / step))));
 }
 
+bool IsMotionFree(const FreeSpace& space, const Footprint& footprint, const MotionModel& model,
+                  const slam::Pose2& from, const slam::Pose2& to) {
+  const double step = std::max(kLeastCheck, footprint.options().margin);
+  return std::ranges::all_of(model.BetweenByCorners(from, to, step),
+                             [&](const slam::Pose2& pose) { return footprint.IsFree(space, pose); });
+}
+
 RectangleMotions::RectangleMotions(const ob::SpaceInformationPtr& info, const FreeSpace& space,
                                    const Footprint& footprint, const MotionModel& model)
-    : ob::MotionValidator(info),
-      space_(space),
-      footprint_(footprint),
-      model_(model),
-      step_(std::max(kLeastCheck, footprint.options().margin)) {}
+    : ob::MotionValidator(info), space_(space), footprint_(footprint), model_(model) {}
 
 bool RectangleMotions::checkMotion(const ob::State* from, const ob::State* to) const {
-  const std::vector<slam::Pose2> poses = model_.BetweenByCorners(PoseOf(from), PoseOf(to), step_);
-  return si_->isValid(to) && std::ranges::all_of(poses, [this](const slam::Pose2& T_map_robot) {
-           return footprint_.IsFree(space_, T_map_robot);
-         });
+  return si_->isValid(to) && IsMotionFree(space_, footprint_, model_, PoseOf(from), PoseOf(to));
 }
 
 bool RectangleMotions::checkMotion(const ob::State* from, const ob::State* to,

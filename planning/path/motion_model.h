@@ -34,7 +34,11 @@ class MotionModel {
   std::shared_ptr<ompl::base::SE2StateSpace> state_space_;
 };
 
-/// Whether the robot's rectangle is free on the way.
+/// Whether the robot's rectangle is free on the way, its start aside; looked at as often as PlanPath says.
+bool IsMotionFree(const FreeSpace& space, const Footprint& footprint, const MotionModel& model,
+                  const slam::Pose2& from, const slam::Pose2& to);
+
+/// The same, for OMPL.
 class RectangleMotions : public ompl::base::MotionValidator {
  public:
   RectangleMotions(const ompl::base::SpaceInformationPtr& info, const FreeSpace& space,
@@ -47,7 +51,6 @@ class RectangleMotions : public ompl::base::MotionValidator {
   const FreeSpace& space_;
   const Footprint& footprint_;
   const MotionModel& model_;
-  double step_;  // [m]
 };
 
 }  // namespace ariadne::planning::internal

@@ -10,6 +10,7 @@
 #include <limits>
 #include <numbers>
 
+#include "planning/path/forward_way.h"
 #include "planning/path/geodesic.h"
 #include "planning/path/motion_model.h"
 #include "planning/path/ompl_support.h"
@@ -28,7 +29,8 @@ constexpr double kSameAngle = 0.1 * std::numbers::pi / 180.0;   // [rad]
 constexpr double kGuideSpread = 0.3;                            // [m]
 constexpr double kGuideTurn = 20.0 * std::numbers::pi / 180.0;  // [rad]
 constexpr int kLegIterations = 300;
-constexpr std::size_t kMostRasterPoses = 5000000;    // of a search that finds no way
+constexpr std::size_t kMostRasterPoses = 5000000;  // of a search that finds no way
+constexpr std::size_t kMostForwardPoses = 1000000;
 constexpr double kAroundLeg = 3.0, kInSight = 20.0;  // [m]
 constexpr double kShortLeg = 3.0, kLongLeg = 7.0;    // between stops on the way of a disc [m]
 constexpr double kShortStep = 0.3, kLongStep = 0.8;  // and on that of poses [m]
@@ -132,6 +134,8 @@ class PathPlanner {
       corners =
           Grow(T_map_start, T_map_goal, options_.max_iterations - result.iterations, result.iterations);
     }
+    if (corners.empty() && options_.model == PathModel::kDubins)
+      corners = SearchForward(radius, T_map_start, T_map_goal);
     if (corners.empty()) return result;
     return Dense(Simplified(corners), result);
   }
@@ -191,6 +195,17 @@ class PathPlanner {
     const auto stops = internal::StopsAmong(space_, poses, kShortStep, kLongStep);
     return GrowLegs(reachable, T_map_start, T_map_goal, poses, stops, options_.max_iterations * 3 / 4,
                     iterations);
+  }
+
+  /// Where a robot that cannot go backward has to leave the shortest way to turn about.
+  std::vector<slam::Pose2> SearchForward(double radius, const slam::Pose2& T_map_start,
+                                         const slam::Pose2& T_map_goal) const {
+    const GeodesicField from_goal = DistancesFrom(space_, footprint_.CentreAt(T_map_goal), radius);
+    const auto is_free = [this](const slam::Pose2& from, const slam::Pose2& to) {
+      return internal::IsMotionFree(space_, footprint_, model_, from, to);
+    };
+    return internal::ForwardWay(from_goal, footprint_, T_map_start, T_map_goal, options_.turning_radius,
+                                is_free, kMostForwardPoses);
   }
 
   /// The corners of a path; empty where none is found.

@@ -15,7 +15,7 @@ enum class PathStatus {
   kStartNotFree,  // the robot with its margin stands too near to a wall; plan with less margin
   kGoalNotFree,
   kUnreachable,  // no way is wide enough, whatever the robot's heading
-  kNotFound      // within max_iterations
+  kNotFound  // within max_iterations; with dubins often since the robot is shut in but for a way backward
 };
 
 struct PathOptions {
@@ -59,7 +59,8 @@ struct PathResult {
 };
 
 /// A path for the robot's rectangle by RRT-Connect (Kuffner, LaValle 2000; OMPL), simplified: in legs of a
-/// few metres along the shortest way of a disc, or where a leg fails, from the start to the goal. Start and
+/// few metres along the shortest way of a disc, or where a leg fails, from the start to the goal; with
+/// dubins, where that finds none, by hybrid A* over places and headings (forward_way.h). Start and
 /// goal within 1 mm and 0.1 deg are joined without a plan. Motions are looked at every 2 cm, or every
 /// margin where that is more, of what any corner moves; so the rectangle stays clear by half its margin.
 /// The same arguments give the same bytes, whatever ran before.

@@ -8,6 +8,7 @@
 
 #include "planning/path/ompl_support.h"
 #include "planning/path/roadmap.h"
+#include "slam/base/random.h"
 
 namespace ariadne::planning {
 namespace {
@@ -46,7 +47,9 @@ std::vector<Eigen::Vector2d> DrawOmplCandidates(const FreeSpace& space, double r
   internal::RequireRadius(radius);
   if (sampler == CandidateSampler::kUniform) Fail("the sampler uniform is not one of OMPL's");
   if (sampler == CandidateSampler::kRoadmap) {
-    return BuildRoadmap(space, radius, {options.count, options.max_draws}, seed).vertices_map;
+    // Its vertices are uniform too: with the same numbers they would be those of kOmplUniform.
+    RandomStream stream = NamedStream(seed, "view/roadmap");
+    return BuildRoadmap(space, radius, {options.count, options.max_draws}, stream()).vertices_map;
   }
   std::vector<Eigen::Vector2d> places;
   if (space.columns() == 0) return places;

@@ -18,7 +18,7 @@ enum class CandidateSampler {
   kGaussian,           // near to what blocks (Boor, Overmars, van der Stappen 1999)
   kBridgeTest,         // between two that block, as in doors (Hsu et al. 2003)
   kMaximizeClearance,  // the widest of a few (Hsu's and OMPL's)
-  kRoadmap             // the vertices of PRM*
+  kRoadmap             // the vertices of PRM*: uniform too, others than of kOmplUniform
 };
 
 struct OmplCandidateOptions {

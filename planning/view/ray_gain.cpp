@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "planning/view/sliding_window.h"
 #include "slam/base/error.h"
 #include "slam/geometry/angles.h"
 
@@ -170,31 +169,40 @@ double RayGain::GainAllAround(std::span<const RayHit> hits) const {
 
 ViewGain RayGain::At(const Eigen::Vector2d& p_map) const { return Of(Cast(p_map)); }
 
-ViewGain RayGain::Of(std::span<const RayHit> hits) const {
-  std::vector<int> values(hits.size(), 0);
+ViewGain RayGain::Of(std::span<const RayHit> hits, double min_overlap) const {
+  std::vector<int> values(hits.size(), 0), known(hits.size(), 0);
   for (std::size_t i = 0; i < hits.size(); ++i) {
+    known[i] = IsKnown(hits[i]) ? 1 : 0;
     if (!IsUnseen(hits[i])) continue;
     const bool by_area = options_.measure == GainMeasure::kArea;
     values[i] = by_area ? static_cast<int>(std::lround(kPartsPerSquareMeter * AreaBehind(hits[i]))) : 1;
   }
   // The sum runs from phi to phi + pi, both included; the tolerance keeps 180 deg at 181 rays.
   const double steps = slam::RadFromDeg(options_.field_of_view) / step_;
-  const Window best = BestWindow(values, static_cast<int>(std::floor(steps + 1e-9)) + 1);
+  const int width = static_cast<int>(std::floor(steps + 1e-9)) + 1;
+  const ViewGain best = About(BestWindow(values, width), hits);
+  if (best.overlap >= min_overlap) return best;
+  const std::optional<Window> other = BestWindowWith(values, width, known, min_overlap);
+  return other ? About(*other, hits) : best;
+}
+
+/// What a field of view about the middle of a window shows.
+ViewGain RayGain::About(const Window& window, std::span<const RayHit> hits) const {
   ViewGain view;
-  view.direction = slam::WrapAngle(heading_ + best.center * step_);
+  view.direction = slam::WrapAngle(heading_ + window.center * step_);
   const std::vector<std::size_t> rays = RaysAbout(view.direction);
-  int seen = 0;
+  int known = 0;
   for (const std::size_t i : rays) {
-    seen += hits[i].seen && hits[i].distance <= options_.max_range ? 1 : 0;
+    known += IsKnown(hits[i]) ? 1 : 0;
     if (!IsUnseen(hits[i])) continue;
     ++view.gain;
     view.area += AreaBehind(hits[i]);
   }
   // About a direction between two rays there is one ray less than in the window.
-  if (options_.measure == GainMeasure::kRays) view.gain = best.sum;
+  if (options_.measure == GainMeasure::kRays) view.gain = window.sum;
   const double gain = options_.measure == GainMeasure::kArea ? view.area : view.gain;
   if (gain > 0.0) view.shown = std::min(1.0, gain / GainAllAround(hits));
-  view.overlap = static_cast<double>(seen) / static_cast<double>(std::max<std::size_t>(1, rays.size()));
+  view.overlap = static_cast<double>(known) / static_cast<double>(std::max<std::size_t>(1, rays.size()));
   return view;
 }
 

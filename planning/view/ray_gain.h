@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planning/view/edge_set.h"
+#include "planning/view/sliding_window.h"
 #include "slam/base/options.h"
 
 namespace ariadne::planning {
@@ -86,8 +87,9 @@ class RayGain {
   /// V(p) and theta_p. Ties as in BestWindow, value 0 being the heading.
   ViewGain At(const Eigen::Vector2d& p_map) const;
 
-  /// The same of rays that have been cast.
-  ViewGain Of(std::span<const RayHit> hits) const;
+  /// The same of rays that have been cast. Where the direction with the largest gain has less overlap than
+  /// `min_overlap`, the best of those that have it, if any has.
+  ViewGain Of(std::span<const RayHit> hits, double min_overlap = 0.0) const;
 
   /// The numbers of the rays within the field of view about a direction in the map.
   std::vector<std::size_t> RaysAbout(double direction) const;
@@ -96,6 +98,8 @@ class RayGain {
   const Eigen::Vector2d& Direction(std::size_t ray) const { return direction_[ray]; }
 
  private:
+  bool IsKnown(const RayHit& hit) const { return hit.seen && hit.distance <= options_.max_range; }
+  ViewGain About(const Window& window, std::span<const RayHit> hits) const;
   void AddCorner(const Eigen::Vector2d& p_map);
   double AreaBehind(const RayHit& hit) const;
   double GainAllAround(std::span<const RayHit> hits) const;

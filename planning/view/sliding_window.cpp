@@ -46,21 +46,44 @@ double WrapSteps(double steps, int n) {
   return wrapped <= -0.5 * n ? 0.5 * n : wrapped;
 }
 
+/// The centre of the longest plateau of `largest`, the middle of which may lie between two windows.
+double BestCenter(const std::vector<int>& sums, int largest, int width, bool between) {
+  const auto n = static_cast<int>(sums.size());
+  const int odd_gap = (width - 1) % 2;  // 1: the middle of a window lies between two values
+  double best = between ? 0.0 : 0.5 * odd_gap;
+  int longest = 0;
+  for (const auto& [first, length] : Plateaus(sums, largest)) {
+    const int first_middle = (length - 1) / 2;
+    const double middle = between ? 0.5 * (length - 1) : first_middle;
+    const double center = WrapSteps(first + middle + 0.5 * (width - 1), n);
+    const double turn = std::abs(center), best_turn = std::abs(best);
+    const bool is_nearer = turn < best_turn || (turn == best_turn && center > best);
+    if (length > longest || (length == longest && is_nearer)) best = center, longest = length;
+  }
+  return best;
+}
+
 }  // namespace
 
 Window BestWindow(std::span<const int> values, int width) {
-  const auto n = static_cast<int>(values.size());
-  width = std::clamp(width, 1, n);
+  width = std::clamp(width, 1, static_cast<int>(values.size()));
   const std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width));
-  Window best{*std::ranges::max_element(sums), 0.0};
-  int longest = 0;
-  for (const auto& [first, length] : Plateaus(sums, best.sum)) {
-    const double center = WrapSteps(first + 0.5 * (length - 1) + 0.5 * (width - 1), n);
-    const double turn = std::abs(center), best_turn = std::abs(best.center);
-    const bool is_nearer = turn < best_turn || (turn == best_turn && center > best.center);
-    if (length > longest || (length == longest && is_nearer)) best.center = center, longest = length;
+  const int largest = *std::ranges::max_element(sums);
+  return {largest, BestCenter(sums, largest, width, true)};
+}
+
+std::optional<Window> BestWindowWith(std::span<const int> values, int width, std::span<const int> marks,
+                                     double least_share) {
+  width = std::clamp(width, 1, static_cast<int>(values.size()));
+  std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width));
+  const std::vector<int> marked = WindowSums(marks, static_cast<std::size_t>(width));
+  constexpr int kRefused = -1;  // less than any sum
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (static_cast<double>(marked[i]) / width < least_share) sums[i] = kRefused;
   }
-  return best;
+  const int largest = *std::ranges::max_element(sums);
+  if (largest == kRefused) return {};
+  return Window{largest, BestCenter(sums, largest, width, false)};
 }
 
 }  // namespace ariadne::planning

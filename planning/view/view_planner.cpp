@@ -184,7 +184,8 @@ std::vector<RayHit> Decision::Cast(const Eigen::Vector2d& p_map) const {
 }
 
 View Decision::Look(const Eigen::Vector2d& p_map, double way, std::span<const RayHit> hits) const {
-  View view = JudgedView(p_map, scene_.gain.Of(hits), way, T_map_robot_, options_.view);
+  View view =
+      JudgedView(p_map, scene_.gain.Of(hits, options_.min_overlap), way, T_map_robot_, options_.view);
   if (!way_cost_) return view;
   view.distance = way_cost_(scene_.ways.PathTo(p_map), view);
   view.value = std::exp(LogValue(view, options_.view));

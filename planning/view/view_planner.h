@@ -64,8 +64,8 @@ struct ViewPlannerOptions {
           "from a view to what is in the way, where robot_radius is less: half the robot's diagonal and "
           "some more, so that it can turn there to any side");
     visit("min_overlap", self.min_overlap, Unit("share"), Range{0.0, 1.0},
-          "of a view's rays that must meet known walls, so that it can be registered; the paper has no "
-          "such rule (0)");
+          "of a view's rays that must meet known walls, so that it can be registered: a place looks where "
+          "it gains most among the directions that have it; the paper has no such rule (0)");
     visit("least_share", self.least_share, Unit("share"), Range{0.0, 1.0},
           "of the largest gain of all candidates, below which policy exponential leaves a view for later: "
           "the "

@@ -38,6 +38,28 @@ TEST_F(PlanTest, TellsAndDrawsTheNextViewTheSameEveryTime) {
     EXPECT_TRUE(Content(std::string("run/plan/") + file) == Content(std::string("again/") + file)) << file;
 }
 
+/// Three scans of a real hallway, whose floor is at no round height.
+TEST_F(PlanTest, PlansOnRealScans) {
+  const fs::path data = slam::testing_support::DataFolder();
+  ARIADNE_REQUIRE_DATA(data / "scans/hallway");
+  setenv("ARIADNE_DATA", data.c_str(), 1);
+  Must("run '" ARIADNE_SOURCE_DIR
+       "/experiments/configs/hallway.yaml' --set reduce.method=voxel_mean "
+       "--set reduce.voxel_size=0.1 --set output.map=false --set output.figures=false -q --out run");
+  Must("plan run -q");
+  const nlohmann::json view = nlohmann::json::parse(Content("run/plan/next_view.json"));
+  EXPECT_EQ(view["status"], "found");
+  EXPECT_EQ(view["scans"], 3);
+  EXPECT_GT(view["seen_m"], 10.0) << "walls of the hallway";
+  EXPECT_GT(view["gain_rays"], 30);
+  EXPECT_GT(view["distance_m"], 0.5);
+  const auto& path = view["path_map"];
+  ASSERT_GE(path.size(), 2U);
+  EXPECT_EQ(path.back()[0], view["pose_map"]["x"]);
+  Must("plan run -q --out again");
+  EXPECT_TRUE(Content("run/plan/next_view.json") == Content("again/next_view.json"));
+}
+
 TEST_F(PlanTest, WhatCannotBeIsSaid) {
   EXPECT_THAT(Ariadne("plan none -q").err, HasSubstr("none/config.yaml"));
   Register();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace ariadne::experiments {
 namespace {
@@ -43,6 +44,37 @@ TEST(MissionTables, DifferencesAreThoseOfPairs) {
   EXPECT_EQ(CellOf(table, 0, "map mm"), "+1.5 [+1.5, +1.5]");
   EXPECT_EQ(CellOf(table, 0, "scans to target").substr(0, 4), "+1.0")
       << "9 scans once where it was not reached";
+}
+
+/// What should hold for every run is judged by the worst one, and a world by its own.
+TEST(MissionTables, WorldsHaveTheirWorstRuns) {
+  std::vector<MissionTrial> trials{MissionIn("default", 1, 5.0, 0.01), MissionIn("default", 2, 5.0, 0.02),
+                                   MissionIn("default", 3, 5.0, 0.06), MissionIn("default", 1, 5.0, 0.3)};
+  trials[0].verdict.surface_covered = 0.98;
+  trials[1].verdict.surface_covered = 0.93;
+  trials[2].verdict.surface_covered = 0.97;
+  trials[0].ended = trials[1].ended = 1.0;
+  trials[2].collisions = 3.0;
+  trials[2].minutes = 12.0;
+  trials[3].world = "bench";
+  const Table table = MissionWorldTable(trials, 0.95);
+  ASSERT_EQ(table.rows.size(), 2U);
+  const std::vector<std::pair<std::string, std::string>> expected{
+      {"world", "hall"},      {"runs", "3"},          {"surface %", "97.0"}, {"least surface %", "93.0"},
+      {"worst cm", "6.0"},    {"position cm", "2.0"}, {"minutes", "0.0"},    {"ended %", "66.7"},
+      {"collisions", "1.00"}, {"map mm", "10.0"}};
+  for (const auto& [column, text] : expected) EXPECT_EQ(CellOf(table, 0, column), text) << column;
+  EXPECT_EQ(CellOf(table, 1, "worst cm"), "30.0");
+}
+
+/// The robot's time is in the table over all worlds, too.
+TEST(MissionTables, VariantsHaveTheirTime) {
+  std::vector<MissionTrial> trials{MissionIn("default", 1, 5.0, 0.01), MissionIn("2003", 1, 5.0, 0.01)};
+  trials[0].minutes = 12.5;
+  trials[1].minutes = 30.0;
+  const Table table = MissionVariantTable(trials, 0.95, {});
+  EXPECT_EQ(CellOf(table, 0, "minutes"), "12.5");
+  EXPECT_EQ(CellOf(table, 1, "minutes"), "30.0");
 }
 
 }  // namespace

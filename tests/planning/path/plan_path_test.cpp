@@ -5,7 +5,9 @@
 #include <array>
 #include <limits>
 #include <numbers>
+#include <set>
 
+#include "planning/path/curved_way.h"
 #include "slam/geometry/angles.h"
 #include "tests/planning/path/random_rooms.h"
 #include "tests/support/error_of.h"
@@ -68,6 +70,74 @@ TEST(PlanPath, IsFreeExactAndDriveable) {
     }
   }
   EXPECT_EQ(found, 18) << unreachable << " unreachable, " << lost << " not found";
+}
+
+struct PathQuery {
+  slam::Pose2 start, goal;
+};
+
+std::vector<PathQuery> DrawQueries(const PillarRoom& room, const FreeSpace& space, int count) {
+  RandomStream stream = NamedStream(1, "test");
+  std::vector<PathQuery> queries;
+  for (int i = 0; i < count; ++i) {
+    const slam::Pose2 start = DrawStand(room, space, stream);
+    queries.push_back({start, DrawStand(room, space, stream)});
+  }
+  return queries;
+}
+
+/// How many places of 5 cm, with headings of 5 deg, a robot can reach that only goes forward: in breadth,
+/// with the exact rectangle and its margin, and what a planner may leave of that.
+std::size_t ForwardPlaces(const PillarRoom& room, const slam::Pose2& start, std::size_t most) {
+  FootprintOptions wide;
+  wide.length += 2.0 * 0.065;
+  wide.width += 2.0 * 0.065;
+  const Footprint footprint(wide);
+  std::set<std::array<long, 3>> places;
+  std::vector<slam::Pose2> poses{start};
+  const auto is_new = [&](const slam::Pose2& pose) {
+    return places
+        .insert({std::lround(pose.translation.x() / 0.05), std::lround(pose.translation.y() / 0.05),
+                 std::lround(slam::DegFromRad(pose.angle) / 5.0)})
+        .second;
+  };
+  for (std::size_t i = 0; i < poses.size() && poses.size() < most; ++i) {
+    for (const int turn : {0, 1, -1}) {
+      const CurvedWay step(poses[i], 0.3, {{turn, 0.08 / 0.3}});
+      const bool is_free = std::ranges::all_of(step.Sampled(0.03), [&](const slam::Pose2& pose) {
+        return IsRectangleWithin(room.area, footprint.CornersAt(pose));
+      });
+      const slam::Pose2 next = step.At(1.0);
+      if (is_free && is_new(next)) poses.push_back(next);
+    }
+  }
+  return poses.size();
+}
+
+/// RRT-Connect misses ways forward that begin with a loop; and what cannot be left forward is no miss.
+TEST(PlanPath, FindsWaysForwardWhereThereAreAny) {
+  const PillarRoom room = RandomPillarRoom(1);
+  const FreeSpace space(std::span(&room.area, 1));
+  const std::vector<PathQuery> queries = DrawQueries(room, space, 53);
+  PathOptions options;
+  options.model = PathModel::kDubins;
+  for (const std::size_t i : {15U, 52U}) {
+    const PathResult path = PlanPath(space, queries[i].start, queries[i].goal, options, i);
+    ASSERT_EQ(path.status, PathStatus::kFound) << i;
+    EXPECT_TRUE(AreSame({path.poses.front(), path.poses.back()}, {queries[i].start, queries[i].goal}));
+    ExpectDriveable(path, options.model);
+    for (const slam::Pose2& pose : path.poses)
+      EXPECT_TRUE(IsRectangleWithin(room.area, Footprint().CornersAt(pose))) << i;
+  }
+  for (const std::size_t i : {11U, 22U, 32U, 39U}) {
+    const PathResult path = PlanPath(space, queries[i].start, queries[i].goal, options, i);
+    EXPECT_EQ(path.status, PathStatus::kNotFound) << i;
+    EXPECT_LT(ForwardPlaces(room, queries[i].start, 20000), 1000U) << i << ": the robot is not shut in";
+    options.model = PathModel::kReedsShepp;
+    EXPECT_EQ(PlanPath(space, queries[i].start, queries[i].goal, options, i).status, PathStatus::kFound);
+    options.model = PathModel::kDubins;
+  }
+  EXPECT_EQ(ForwardPlaces(room, queries[15].start, 20000), 20000U) << "what is counted tells nothing";
 }
 
 /// Two rooms with a door in the wall between.

@@ -34,6 +34,19 @@ TEST(OmplCandidates, HaveRoomForTheDiscAndFollowTheSeed) {
   }
 }
 
+/// Otherwise one of them would be compared twice.
+TEST(OmplCandidates, AreOthersWithEachSampler) {
+  const std::array area{Hall()};
+  const FreeSpace space(area);
+  std::vector<Eigen::Vector2d> first;
+  for (const CandidateSampler sampler : kOmplSamplers)
+    first.push_back(DrawOmplCandidates(space, 0.4, sampler, {}, 1).front());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      EXPECT_NE(first[i], first[k]) << NameOf(kOmplSamplers[i]) << " " << NameOf(kOmplSamplers[k]);
+  }
+}
+
 double MeanClearance(const FreeSpace& space, CandidateSampler sampler) {
   OmplCandidateOptions options;
   options.count = 1000;

@@ -87,6 +87,41 @@ TEST(RayGain, MeetsWhatPlainRaysMeetInTheHall) {
   EXPECT_GT(compared, 35900);
 }
 
+/// The largest number of unseen hits within half a turn, both end rays included, by plain rays.
+int GainPlainly(std::span<const Edge> edges, const Eigen::Vector2d& p, double heading,
+                const RayGainOptions& options) {
+  std::vector<int> unseen;
+  for (int i = 0; i < options.rays; ++i) {
+    const PlainHit hit = CastPlainly(edges, p, heading + 2.0 * std::numbers::pi * i / options.rays);
+    const bool in_range = hit.distance >= options.min_range && hit.distance <= options.max_range;
+    unseen.push_back(in_range && !hit.seen ? 1 : 0);
+  }
+  int best = 0;
+  for (int first = 0; first < options.rays; ++first) {
+    int sum = 0;
+    for (int k = 0; k <= options.rays / 2; ++k)
+      sum += unseen[static_cast<std::size_t>((first + k) % options.rays)];
+    best = std::max(best, sum);
+  }
+  return best;
+}
+
+TEST(RayGain, IsExactWithinOneOf181Rays) {
+  int same = 0, all = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<Edge> edges = LabelledHall(seed);
+    const double heading = 0.1 * static_cast<double>(seed);
+    const RayGain gain(edges, heading, {});
+    for (const Eigen::Vector2d& p : PlacesInHall(50, seed)) {
+      const int exact = GainPlainly(edges, p, heading, {}), found = gain.At(p).gain;
+      EXPECT_NEAR(found, exact, 1) << p.transpose();
+      EXPECT_GT(found, 0);
+      same += found == exact ? 1 : 0, ++all;
+    }
+  }
+  EXPECT_GE(same, 0.95 * all);
+}
+
 TEST(RayGain, MeetsWhatPlainRaysMeetAmongAnyEdges) {
   RandomStream stream = NamedStream(4, "ray_gain");
   int compared = 0, rays = 0;
@@ -195,6 +230,61 @@ TEST(RayGain, CountsAreaOnlyUntilARayIsBackInWhatIsKnown) {
   EXPECT_NEAR(RayGain(edges, 0.0, options).At(p).area, 0.5 * step * (5.0 * 5.0 - 2.0 * 2.0), 1e-12);
 }
 
+/// What a direction shows, counted ray by ray.
+struct PlainView {
+  double gain = 0.0, overlap = 0.0;
+};
+
+PlainView LookPlainly(const RayGain& gain, std::span<const RayHit> hits, double max_range,
+                      double direction) {
+  PlainView view;
+  const std::vector<std::size_t> rays = gain.RaysAbout(direction);
+  for (const std::size_t i : rays) {
+    if (gain.IsUnseen(hits[i])) view.gain += gain.GainOf(hits[i]);
+    view.overlap += hits[i].seen && hits[i].distance <= max_range ? 1.0 : 0.0;
+  }
+  view.overlap /= static_cast<double>(rays.size());
+  return view;
+}
+
+TEST(RayGain, LooksWhereItGainsMostAmongDirectionsWithOverlap) {
+  int refused = 0, turned = 0;
+  for (std::uint64_t trial = 1; trial <= 60; ++trial) {
+    RayGainOptions options;
+    options.measure = trial % 2 == 0 ? GainMeasure::kArea : GainMeasure::kRays;
+    options.field_of_view = 60.0 * static_cast<double>(1 + trial % 4);
+    options.rays = trial % 3 == 0 ? 72 : 240;
+    const std::vector<Edge> edges = LabelledHall(trial, 4.0);
+    const RayGain gain(edges, 0.2, options);
+    const std::vector<RayHit> hits = gain.Cast(PlacesInHall(1, trial).front());
+    const double step = 2.0 * std::numbers::pi / options.rays;
+    // A window of an even number of rays has its middle between two.
+    const double between = std::lround(options.field_of_view / 360.0 * options.rays) % 2 == 0 ? 0.0 : 0.5;
+    for (const double least : {0.3, 0.5, 0.6, 0.7, 0.8}) {
+      double best = -1.0;
+      for (int i = 0; i < options.rays; ++i) {
+        const PlainView plain = LookPlainly(gain, hits, options.max_range, 0.2 + (i + between) * step);
+        if (plain.overlap >= least) best = std::max(best, plain.gain);
+      }
+      const ViewGain view = gain.Of(hits, least), free = gain.Of(hits);
+      const PlainView own = LookPlainly(gain, hits, options.max_range, view.direction);
+      EXPECT_EQ(view.overlap, own.overlap);
+      EXPECT_EQ(view.overlap >= least, best >= 0.0) << "a place that has such a direction takes one";
+      refused += best < 0.0 ? 1 : 0;
+      if (best < 0.0) continue;
+      // Ways to add up areas, and the ray less about a middle between two rays, make the difference.
+      const double largest_ray = options.measure == GainMeasure::kArea ? 1.5 : 1.0;
+      EXPECT_GE(own.gain, best - largest_ray - 1e-9) << trial << " " << least;
+      if (view.direction == free.direction) continue;
+      ++turned;
+      EXPECT_NEAR(own.gain, best, 1e-2 * (1.0 + best)) << trial << " " << least;
+      EXPECT_LE(own.gain, LookPlainly(gain, hits, options.max_range, free.direction).gain + largest_ray);
+    }
+  }
+  EXPECT_GT(turned, 30);
+  EXPECT_GT(refused, 10);
+}
+
 TEST(RayGain, DoesNotDependOnTheFrame) {
   const std::vector<Edge> edges = LabelledHall(5);
   RandomStream stream = NamedStream(6, "ray_gain/frame");
@@ -248,6 +338,41 @@ TEST(SlidingWindow, IsTheBestOfAllWindows) {
       EXPECT_EQ(sum_from(static_cast<int>(std::ceil(first))), largest);
     }
   }
+}
+
+TEST(SlidingWindow, IsTheBestOfThoseWithEnoughMarks) {
+  RandomStream stream = NamedStream(10, "sliding_window");
+  int found = 0, none = 0;
+  for (int trial = 0; trial < 2000; ++trial) {
+    const int n = 1 + static_cast<int>(stream() % 24), width = 1 + static_cast<int>(stream() % 24);
+    std::vector<int> values, marks;
+    for (int i = 0; i < n; ++i) {
+      values.push_back(static_cast<int>(stream() % 4));
+      marks.push_back(static_cast<int>(stream() % 2));
+    }
+    const double least = DrawUniform(stream, 0.0, 1.0);
+    const int wide = std::min(n, width);
+    const auto sum_from = [&](const std::vector<int>& of, int first) {
+      int sum = 0;
+      for (int k = 0; k < wide; ++k) sum += of[static_cast<std::size_t>((first + k) % n)];
+      return sum;
+    };
+    int largest = -1;
+    for (int first = 0; first < n; ++first) {
+      if (sum_from(marks, first) >= least * wide) largest = std::max(largest, sum_from(values, first));
+    }
+    const std::optional<Window> best = BestWindowWith(values, width, marks, least);
+    ASSERT_EQ(best.has_value(), largest >= 0);
+    ++(best ? found : none);
+    if (!best) continue;
+    EXPECT_EQ(best->sum, largest);
+    const double first = best->center - 0.5 * (wide - 1) + 2.0 * n;  // of one window, not between two
+    ASSERT_EQ(first, std::floor(first));
+    EXPECT_EQ(sum_from(values, static_cast<int>(first)), largest);
+    EXPECT_GE(sum_from(marks, static_cast<int>(first)), least * wide - 1e-9);
+  }
+  EXPECT_GT(found, 500);
+  EXPECT_GT(none, 200);
 }
 
 TEST(SlidingWindow, TakesTheCentreOfThePlateau) {
