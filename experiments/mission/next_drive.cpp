@@ -7,15 +7,18 @@
 
 #include "experiments/mission/drive_ways.h"
 #include "experiments/mission/way_back.h"
+#include "slam/geometry/angles.h"
 
 namespace ariadne::experiments {
 namespace {
 
 using slam::Pose2;
 
-constexpr double kSameTarget = 0.5;  // [m]
-constexpr int kGivenUp = 2;          // drives to one place
-constexpr double kSameRoom = 4.0;    // that the way of a disc does not lead into [m]
+constexpr double kSameTarget = 0.5;     // [m]
+constexpr double kSameView = 0.15;      // [m]
+constexpr double kSameDirection = 0.1;  // [rad]
+constexpr int kGivenUp = 2;             // drives to one place
+constexpr double kSameRoom = 4.0;       // that the way of a disc does not lead into [m]
 
 /// A view that is worth a drive.
 struct RankedView {
@@ -38,6 +41,14 @@ bool IsClosed(const Eigen::Vector2d& p_map, std::span<const FailedTarget> failed
   return times >= kGivenUp;
 }
 
+/// Whether the robot has scanned from there already, looking the same way: once more shows the same.
+bool IsRepeated(const planning::View& view, std::span<const Pose2> T_map_stops) {
+  return std::ranges::any_of(T_map_stops, [&](const Pose2& stop) {
+    return (stop.translation - view.p_map).norm() < kSameView &&
+           std::abs(slam::WrapAngle(stop.angle - view.direction)) < kSameDirection;
+  });
+}
+
 /// The views of all heights, the best first; of those close to each other only the best.
 std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map_base,
                                   std::span<const FailedTarget> failed, const MissionOptions& options,
@@ -56,6 +67,7 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
       const planning::View& view = plan.views[i];
       const bool worth = view.gain >= options.planner.view.min_gain &&
                          view.overlap >= options.planner.min_overlap && std::isfinite(view.distance);
+      if (IsRepeated(view, around.T_map_stops)) continue;
       if ((worth || i == *plan.chosen) && !HasFailed(view.p_map, failed)) ranked.push_back({view, h});
     }
   }

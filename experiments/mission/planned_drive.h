@@ -27,8 +27,9 @@ struct Surroundings {
   std::vector<std::vector<planning::LabelledPolygon>> areas;  // by height
   std::vector<Eigen::Vector2d> obstacles_map;
   std::vector<Eigen::Vector2d> unclear_map;  // where something may stand that no scan has met
-  std::vector<slam::Pose2> T_map_scans;
-  std::vector<slam::Pose2> trail_map;  // driven last, to where the robot stands
+  std::vector<slam::Pose2> T_map_scans;      // of the scanner
+  std::vector<slam::Pose2> T_map_stops;      // of the robot, where scans show something
+  std::vector<slam::Pose2> trail_map;        // driven last, to where the robot stands
 };
 
 Surroundings SurroundingsOf(MissionMap& map, std::span<const slam::Pose2> trail_map);

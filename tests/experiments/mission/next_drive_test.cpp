@@ -4,6 +4,7 @@
 
 #include "experiments/mission/clear_way.h"
 #include "experiments/mission/way_back.h"
+#include "slam/geometry/angles.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -97,6 +98,23 @@ TEST(PlanDrive, GoesBackTheWayItCameWhereThereIsNoRoom) {
 }
 
 TEST(PlanDrive, FindsNoWayWhereItDoesNotKnowHowItCame) { EXPECT_FALSE(DriveOutOfACorner(false)); }
+
+// A window that noise opens anew promises the same for ever.
+TEST(PlanNextDrive, DoesNotScanTwiceFromOnePose) {
+  Surroundings around = RoomWithLine(6.0, 4.5);
+  around.areas[0][0].outer[1].seen = false;  // all of the right wall
+  const Pose2 stand{0.0, {1.0, 2.0}};
+  for (int i = 0; i < 5; ++i) {
+    const auto drive = PlanNextDrive(around, stand, {}, {}, 1);
+    ASSERT_TRUE(drive && drive->view);
+    const Pose2 stop{drive->view->direction, drive->view->p_map};
+    for (const Pose2& before : around.T_map_stops) {
+      EXPECT_TRUE((before.translation - stop.translation).norm() >= 0.15 ||
+                  std::abs(slam::WrapAngle(before.angle - stop.angle)) >= 0.1);
+    }
+    around.T_map_stops.push_back(stop);
+  }
+}
 
 TEST(PlanRetreat, GoesBackAsFarAsItIsTold) {
   std::vector<Pose2> trail;
