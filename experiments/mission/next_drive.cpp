@@ -127,23 +127,24 @@ class RankedDrives {
     return {};
   }
 
-  /// Of those after the best few, the ones that there may be a path to.
-  std::vector<std::size_t> Rest() const {
-    std::vector<std::size_t> rest;
+  /// Those that there may be a path to: one search for all of them takes as long as one path that is not
+  /// found.
+  std::vector<std::size_t> Reachable() const {
+    std::vector<std::size_t> reachable;
     for (std::size_t h = 0; h < spaces_.size(); ++h) {
       std::vector<std::size_t> ranks;
       std::vector<Pose2> goals;
-      for (std::size_t rank = BestFew(); rank < ranked_.size(); ++rank) {
+      for (std::size_t rank = 0; rank < ranked_.size(); ++rank) {
         if (ranked_[rank].height == h) ranks.push_back(rank), goals.push_back(GoalOf(rank));
       }
       if (ranks.empty()) continue;
       const std::vector<bool> may = MayHaveAPath(spaces_[h], around_, T_map_base_, goals, options_);
       for (std::size_t i = 0; i < ranks.size(); ++i) {
-        if (may[i]) rest.push_back(ranks[i]);
+        if (may[i]) reachable.push_back(ranks[i]);
       }
     }
-    std::ranges::sort(rest);
-    return rest;
+    std::ranges::sort(reachable);
+    return reachable;
   }
 
  private:
@@ -172,8 +173,9 @@ std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const Pose
                                           const MissionOptions& options, std::uint64_t seed) {
   const RankedDrives drives(around, T_map_base, RankViews(around, T_map_base, failed, options, seed),
                             options, seed);
-  std::optional<PlannedDrive> drive = drives.ByPath(drives.All());
-  if (!drive) drive = drives.ByPath(drives.Rest());
+  std::optional<PlannedDrive> drive;
+  if (options.drive_by != DriveBy::kApproach) drive = drives.ByPath(drives.Reachable());
+  if (!drive) drive = drives.ByPath(drives.All());
   if (!drive) drive = drives.OfDisc(failed);
   return drive;
 }

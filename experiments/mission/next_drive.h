@@ -15,10 +15,10 @@ struct FailedTarget {
   bool of_disc = false;
 };
 
-/// The next view and the path there (Sec. 4.2, 5.2): of all heights' views the one with the highest value
-/// that the rectangle has a path to with its whole margin, after it has gone back the way that it came
-/// until there is room for it; if the best few have none, with half of it; if that fails too, of the best
-/// few of those that there may be a path to; and at last the best view by the way of a disc. Places where
+/// The next view and the path there (Sec. 4.2, 5.2). Of all heights' views the best few that there may be a
+/// path to are tried: the one with the highest value that the rectangle has a path to with its whole
+/// margin, after it has gone back the way that it came until there is room for it; if none has one, with
+/// half of it. Then the best few of all, and at last the best view by the way of a disc. Places where
 /// drives have failed twice are passed over, and so are those near where the way of a disc has. Nothing
 /// where no view is worth a scan. Before each of these is taken, what no scan shows to be clear counts too:
 /// a path ends before it, or goes round it.
