@@ -30,7 +30,8 @@ void DriveSight::KeepInMind(const slam::Pose2& T_map_base) {
   control::RectangleOptions bare = avoid_.robot;
   bare.margin = 0.0;
   std::vector<control::PlacedRectangle> been;
-  for (std::size_t i = 0; i < task_.retraced; ++i) been.emplace_back(bare, task_.path_map[i]);
+  const std::size_t retraced = std::min(task_.retraced, task_.path_map.size());  // it may be cut
+  for (std::size_t i = 0; i < retraced; ++i) been.emplace_back(bare, task_.path_map[i]);
   const control::PlacedRectangle at_start(bare, T_map_base);
   const double close = avoid_.robot.margin + known_margin_;
   for (const Eigen::Vector2d& p_map : task_.obstacles_map) {

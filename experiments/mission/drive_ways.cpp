@@ -167,7 +167,7 @@ std::optional<PlannedDrive> DriveByPath(const Spaces& spaces, const Surroundings
         detour.poses.empty() || LengthOf(detour.poses) > options.clear.detour * LengthOf(path.poses);
     if (drive.leg_only) path.poses.resize(clear);
     if (!drive.leg_only) path = std::move(detour);
-    if (drive.leg_only && LengthOf(path.poses) < options.clear.min_leg) return {};
+    if (path.poses.empty() || (drive.leg_only && LengthOf(path.poses) < options.clear.min_leg)) return {};
   }
   drive.path_map = std::move(path.poses);
   drive.retraced = path.retraced;

@@ -98,6 +98,7 @@ TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
     return (*held.held_map - post).norm() < 0.15;
   })) << "one of the posts, as near as it may be";
   EXPECT_EQ(drive(0.08, path.size()).end, DriveEnd::kArrived) << "where it has been, the map errs";
+  EXPECT_EQ(drive(0.08, 2 * path.size()).end, DriveEnd::kArrived) << "the path is cut before its end";
   EXPECT_EQ(drive(0.08, path.size() / 4).end, DriveEnd::kBlocked) << "the gate is beyond";
 }
 
