@@ -76,8 +76,7 @@ struct DriveTask {
   std::span<const slam::Pose2> trail_map;          // driven before
   std::span<const Eigen::Vector2d> obstacles_map;  // that are known
   double margin = 0.08;                            // that the path keeps from them [m]
-  std::size_t retraced =
-      0;  // poses at its start, the way back, whole or not: what the map knows is not in it
+  std::size_t retraced = 0;  // poses at its start, the way back: there the map errs; it may be cut
 };
 
 /// Drives a path or an approach, gives way to what the safety scanners see, and waits for it to go away.
