@@ -35,7 +35,8 @@ struct ClearOptions {
 /// What stands on the ground as high as the robot, and what may.
 struct Ground {
   std::vector<Eigen::Vector2d> obstacles_map;  // outlines of what stands, what was met, and the fence [m]
-  std::vector<Eigen::Vector2d> unclear_map;    // the borders of where no scan shows that nothing stands [m]
+  /// The borders of where no scan shows that nothing stands, and all of it near the robot [m].
+  std::vector<Eigen::Vector2d> unclear_map;
 };
 
 /// The cells around a robot, as its scans show them. Those of a scan are made once, and anew when it lies
