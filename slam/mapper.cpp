@@ -7,8 +7,10 @@ namespace ariadne::slam {
 
 Mapper::Mapper(const MapperOptions& options) : options_(options) { CheckOptions(options); }
 
-MatchResult Mapper::AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress) {
+MatchResult Mapper::AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress,
+                            const std::optional<Pose3::Square>& covariance) {
   map_.scans.push_back(Prepare(scan_odom));
+  map_.scans.back().guess_covariance = covariance;
   last_T_odom_laser_ = scan_odom.T_map_laser;
   if (map_.scans.size() > 1) return MatchNewScan(map_, options_.registration, options_.icp, on_progress);
   map_.scans.front().registered = true;

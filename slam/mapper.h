@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "slam/extract/detect_lines.h"
@@ -52,8 +53,11 @@ class Mapper {
   explicit Mapper(const MapperOptions& options);
 
   /// Adds a scan, whose pose is the odometry's: only its change since the scan before is used. The first
-  /// scan is the master: it stays at its pose, and defines the map's coordinate system.
-  MatchResult AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress = {});
+  /// scan is the master: it stays at its pose, and defines the map's coordinate system. Who knows how good
+  /// that change is gives its covariance, in the tangent space of the scan's pose and positive definite;
+  /// the methods graph and joint hold the scan by it where surfaces do not.
+  MatchResult AddScan(const PosedCloud& scan_odom, const MatchCallback& on_progress = {},
+                      const std::optional<Pose3::Square>& covariance = {});
 
   /// Makes the poses of all scans agree once more, when no more scans come (FinishMatching).
   MatchResult Finish();

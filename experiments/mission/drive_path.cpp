@@ -131,6 +131,7 @@ void PathDrive::Halt() {
 DriveReport PathDrive::Ended(DriveEnd end) {
   Halt();
   report_.end = end;
+  report_.covariance = localizer_.covariance();
   return report_;
 }
 

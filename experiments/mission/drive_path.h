@@ -59,7 +59,8 @@ struct DriveReport {
   std::optional<Eigen::Vector2d> held_map;     // what only the map knows, if that held the robot up
   std::string reason;                          // why it was given up
   std::vector<slam::Pose2> poses_map;          // driven, as the robot took itself to be, to its last place
-  double length = 0.0;                         // [m]
+  slam::Pose2::Square covariance = slam::Pose2::Square::Zero();  // of the last, in its tangent space
+  double length = 0.0;                                           // [m]
 };
 
 /// By the paper's controller to a goal, instead of along a path.

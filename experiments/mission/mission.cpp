@@ -68,6 +68,7 @@ class Explorer {
   slam::ScannerModel scanner_;
   Pose2 last_T_odom_base_;
   std::vector<Pose2> trail_map_;  // of the last drive, to where the robot is
+  std::optional<Pose2::Square> guess_covariance_;
   MissionResult result_;
   std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
   std::vector<Eigen::Vector2d> held_map_;       // of these, what has held the robot up
@@ -84,8 +85,8 @@ void Explorer::AcquireAndRegister() {
   scanner_ = scan.scanner;
   const Pose2 moved = last_T_odom_base_.Inverse() * scan.odometry.T_odom_base;  // while it braked
   const Pose2 T_map_base_guess = map_.size() == 0 ? scan.odometry.T_odom_base : trail_map_.back() * moved;
-  const slam::MatchResult match =
-      map_.AddScan(fmt::format("scan{:03}", map_.size()), slam::ToPointCloud(scan), T_map_base_guess);
+  const slam::MatchResult match = map_.AddScan(
+      fmt::format("scan{:03}", map_.size()), slam::ToPointCloud(scan), T_map_base_guess, guess_covariance_);
   last_T_odom_base_ = scan.odometry.T_odom_base;
   MissionStop stop = std::move(next_);
   next_ = {};
@@ -161,6 +162,8 @@ void Explorer::Drive(const PlannedDrive& drive) {
                 {drive.path_map, drive.approach, trail_map_, obstacles_map_, drive.margin, drive.retraced},
                 options_.drive, events_.stop);
   last_T_odom_base_ = robot_.State().odometry.T_odom_base;
+  guess_covariance_.reset();
+  if (unregistered_ == 0) guess_covariance_ = report.covariance;  // else it is not known where it has left
   trail_map_.insert(trail_map_.end(), report.poses_map.begin(), report.poses_map.end());
   constexpr std::size_t kTrail = 2000;  // poses
   if (trail_map_.size() > kTrail) trail_map_.erase(trail_map_.begin(), trail_map_.end() - kTrail);

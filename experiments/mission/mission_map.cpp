@@ -1,6 +1,7 @@
 #include "experiments/mission/mission_map.h"
 
 #include "experiments/mission/fence.h"
+#include "experiments/mission/laser_covariance.h"
 #include "slam/base/numbers.h"
 
 namespace ariadne::experiments {
@@ -16,13 +17,18 @@ MissionMap::MissionMap(const MissionOptions& options, const slam::Pose3& T_base_
 }
 
 slam::MatchResult MissionMap::AddScan(const std::string& name, slam::PointCloud cloud_laser,
-                                      const slam::Pose2& T_map_base_guess) {
+                                      const slam::Pose2& T_map_base_guess,
+                                      const std::optional<slam::Pose2::Square>& covariance) {
   const slam::Pose3 T_map_laser_guess = slam::ToPose3(T_map_base_guess) * T_base_laser_;
   T_chain_laser_ =
       scans_.empty() ? T_map_laser_guess
                      : T_chain_laser_ * (mapper_.scans().back().T_map_laser.Inverse() * T_map_laser_guess);
   slam::PosedCloud scan{name, std::move(cloud_laser), T_chain_laser_};
-  slam::MatchResult match = mapper_.AddScan(scan);
+  const slam::ScanGraphOptions& floor = options_.mapper.registration.graph;
+  std::optional<slam::Pose3::Square> of_laser;
+  if (covariance)
+    of_laser = LaserCovariance(*covariance, T_base_laser_, floor.floor_height, floor.floor_tilt);
+  slam::MatchResult match = mapper_.AddScan(scan, {}, of_laser);
   scan.T_map_laser = mapper_.scans().back().T_map_laser;
   if (mapper_.scans().back().registered) {
     shown_.push_back(scans_.size());

@@ -16,9 +16,11 @@ class MissionMap {
  public:
   MissionMap(const MissionOptions& options, const slam::Pose3& T_base_laser);
 
-  /// Registers a scan from a first guess; that of the first scan defines the map's frame.
+  /// Registers a scan from a first guess; that of the first scan defines the map's frame. The covariance is
+  /// that of the guess, in its tangent space, if it is known.
   slam::MatchResult AddScan(const std::string& name, slam::PointCloud cloud_laser,
-                            const slam::Pose2& T_map_base_guess);
+                            const slam::Pose2& T_map_base_guess,
+                            const std::optional<slam::Pose2::Square>& covariance);
 
   /// Makes all poses agree once more, after the last scan.
   slam::MatchResult Finish() { return mapper_.Finish(); }

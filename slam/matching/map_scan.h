@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct MapScan {
   KdTree tree_laser;        // of these points
   Pose3 T_map_laser;
   bool registered = false;  // false: T_map_laser is a guess, and no other scan may be matched to it
-  std::vector<SurfacePoint> surfaces_laser = {};  // one per point, once an alignment has needed them
+  std::vector<SurfacePoint> surfaces_laser = {};       // one per point, once an alignment has needed them
+  std::optional<Pose3::Square> guess_covariance = {};  // of its first pose to the scan before, if known
 };
 
 /// Estimates the surfaces of a scan, unless that has been done.

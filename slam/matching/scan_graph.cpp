@@ -67,7 +67,10 @@ void AddMissingNodes(ScanMap& map, const ScanGraphOptions& options) {
     graph.nodes.push_back({static_cast<std::int64_t>(i), map.scans[i].T_map_laser, i == 0});
     if (i == 0) continue;
     const Pose3 T_from_to = map.scans[i - 1].T_map_laser.Inverse() * map.scans[i].T_map_laser;
-    graph.edges.push_back({i - 1, i, T_from_to, OdometryInformation(T_from_to, options)});
+    const auto& covariance = map.scans[i].guess_covariance;
+    const Pose3::Square information =
+        covariance ? Pose3::Square(covariance->inverse()) : OdometryInformation(T_from_to, options);
+    graph.edges.push_back({i - 1, i, T_from_to, information});
     map.graph.kinds.push_back(ScanEdgeKind::kOdometry);
   }
 }

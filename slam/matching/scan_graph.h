@@ -24,7 +24,7 @@ struct ScanMap {
 };
 
 /// Gives each scan that has none a node, held to that of the scan before by where the odometry has seen it,
-/// which is where it is now.
+/// which is where it is now; as tightly as its guess_covariance says, or else the options.
 void AddMissingNodes(ScanMap& map, const ScanGraphOptions& options);
 
 /// Adds what an alignment of the scan `to` to the scan `from` alone has found.

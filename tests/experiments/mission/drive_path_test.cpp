@@ -31,7 +31,7 @@ class DrivePathTest : public testing::Test {
     MissionMap map(QuickMission(), robot_.T_base_laser());
     const slam::Scan scan = robot_.TakeScan();
     scanner_ = scan.scanner;
-    map.AddScan("scan000", slam::ToPointCloud(scan), robot_.T_map_base_true());
+    map.AddScan("scan000", slam::ToPointCloud(scan), robot_.T_map_base_true(), {});
     return std::move(*map.ModelAround(robot_.T_map_base_true().translation, 100.0));
   }
   DriveReport Drive(const std::vector<slam::Pose2>& path, const slam::AlignModel* model,
@@ -55,6 +55,9 @@ TEST_F(DrivePathTest, ArrivesWhereTheMapSaysAndNotWhereTheWheelsSay) {
   const slam::Pose2 off = report.poses_map.back().Inverse() * robot_.T_map_base_true();
   EXPECT_LT(off.translation.norm(), 0.03);
   EXPECT_LT(std::abs(off.angle), 0.03) << "3 % of 3 rad are 0.09";
+  const slam::Pose2::Tangent error = off.Log();
+  EXPECT_LT(error.dot(report.covariance.inverse() * error), 11.3) << "of chi-square of 3, at 99 %";
+  EXPECT_LT(report.covariance.diagonal().cwiseSqrt().maxCoeff(), 0.05) << "but it knows something";
 
   drivers::SimulatedRobot blind(TwoRoomsScene(), RobotOptions(), 3);
   const Localizer odometry(blind, blind.T_map_base_true(), nullptr, scanner_, {});

@@ -48,6 +48,20 @@ TEST(AddMissingNodes, NeverTrustsTheFloorLessThanTheOdometry) {
   EXPECT_THAT(OdometryInformationBy(options), NearMatrix(without, 0.0));
 }
 
+TEST(AddMissingNodes, TakesTheCovarianceOfWhoKnowsIt) {
+  const Pose3::Square factor = Pose3::Square::Random() + 3.0 * Pose3::Square::Identity();
+  const Pose3::Square covariance = 1e-4 * factor * factor.transpose();
+  ScanMap map;
+  for (int i = 0; i < 3; ++i)
+    map.scans.push_back({"scan", {}, KdTree({}), Pose3{Eigen::Quaterniond::Identity(), {i, 0, 0}}, true});
+  map.scans[1].guess_covariance = covariance;
+  AddMissingNodes(map, {});
+  const auto& edges = map.graph.graph.edges;
+  EXPECT_THAT(Pose3::Square(edges[0].information * covariance),
+              NearMatrix(Pose3::Square::Identity(), 1e-9));
+  EXPECT_GT((edges[1].information * covariance - Pose3::Square::Identity()).norm(), 0.1) << "by odometry";
+}
+
 TEST(AddMissingNodes, DoesNotDependOnTheMapsFrame) {
   ScanGraphOptions options;
   options.floor_height = 0.01;
