@@ -26,7 +26,13 @@ double SpacingAt(const Vector2d& p_map, const Vector2d& wall_direction, const Ve
   return ray.squaredNorm() * beam_step / std::max(across, 1e-9);  // range times step over the sine
 }
 
-/// Whether lines show a piece of an edge densely enough.
+bool IsLeftOf(const Vector2d& p_map, const Vector2d& from_map, const Vector2d& direction) {
+  const Vector2d to = p_map - from_map;
+  return direction.x() * to.y() - direction.y() * to.x() > 0.0;
+}
+
+/// Whether lines show a piece of an edge densely enough, from the side where it is free: those of a thin
+/// wall's other side are near it too.
 class Density {
  public:
   Density(std::span<const SightedLine> lines, const SparseEdgeOptions& options)
@@ -34,7 +40,8 @@ class Density {
 
   bool Suffices(const Vector2d& middle_map, const Vector2d& direction) const {
     return std::ranges::any_of(lines_, [&](const SightedLine& line) {
-      return SpacingAt(middle_map, direction, line.scanner_map, beam_step_) <= options_.max_spacing &&
+      return IsLeftOf(line.scanner_map, middle_map, direction) &&
+             SpacingAt(middle_map, direction, line.scanner_map, beam_step_) <= options_.max_spacing &&
              DistanceToLine(middle_map, line) <= options_.within;
     });
   }

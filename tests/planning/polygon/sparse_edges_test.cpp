@@ -66,6 +66,16 @@ TEST(WithSparseUnseen, NeedsALineThatIsAtTheEdge) {
   EXPECT_NEAR(SeenLength(relabelled), 7.5, 0.5);  // only the wall along which the lines were shifted
 }
 
+TEST(WithSparseUnseen, NeedsALineSeenFromTheFreeSide) {
+  const LabelledPolygon hall = Hall();
+  const std::vector<SightedLine> behind =
+      LinesFrom({10.0, -1.0});  // as through a thin wall, from next door
+  const LabelledPolygon relabelled = WithSparseUnseen({&hall, 1}, behind, Spacing(0.15)).front();
+  for (const LabelledCorner& corner : relabelled.outer) {
+    if (corner.p_map.y() == 0.0 && corner.p_map.x() < 20.0) EXPECT_FALSE(corner.seen) << corner.p_map.x();
+  }
+}
+
 TEST(WithSparseUnseen, IsTheSameInAnyFrameAndNothingWithoutASpacing) {
   const LabelledPolygon hall = Hall();
   const std::vector<SightedLine> lines = LinesFrom({3.0, 2.0});
