@@ -15,19 +15,34 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kSlow = 0.15;         // when backing off [m/s]
-constexpr double kSlowTurning = 0.3;   // [rad/s]
-constexpr double kHaltTime = 6.0;      // [s]
-constexpr double kStartingTime = 6.0;  // a contact at the start has so long to clear [s]
-constexpr double kAdvance = 0.08;      // [m]
-constexpr double kAdvanceTurn = 0.12;  // [rad]
-constexpr double kLeft = 0.06;         // [m]
-constexpr double kLeftTurn = 0.1;      // [rad]
-constexpr double kWriggleTime = 1.5;   // for one motion [s]
-constexpr int kWriggles = 2;           // rounds
+constexpr double kSlow = 0.15;          // when backing off [m/s]
+constexpr double kSlowTurning = 0.3;    // [rad/s]
+constexpr double kHaltTime = 6.0;       // [s]
+constexpr double kStartingTime = 6.0;   // a contact at the start has so long to clear [s]
+constexpr double kHardly = 0.3;         // of the speed that is wanted, back
+constexpr double kStraightBack = 0.05;  // at least, instead [m/s]
+constexpr double kAdvance = 0.08;       // [m]
+constexpr double kAdvanceTurn = 0.12;   // [rad]
+constexpr double kLeft = 0.06;          // [m]
+constexpr double kLeftTurn = 0.1;       // [rad]
+constexpr double kWriggleTime = 1.5;    // for one motion [s]
+constexpr int kWriggles = 2;            // rounds
 
 double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
   return std::abs(slam::WrapAngle(a.angle - b.angle));
+}
+
+/// Out of a narrow place a robot gets as straight as it came: where the least turn on its way back is
+/// barred by what is beside it, or all but barred, it does without.
+control::AvoidanceResult AvoidGoingBack(const control::DriveCommand& wanted,
+                                        const control::DriveCommand& velocity,
+                                        const std::vector<Eigen::Vector2d>& points_base,
+                                        const control::AvoidanceOptions& options) {
+  const control::AvoidanceResult avoided = control::Avoid(wanted, velocity, points_base, options);
+  if (wanted.forward >= 0.0 || avoided.command.forward <= kHardly * wanted.forward) return avoided;
+  const control::AvoidanceResult straight =
+      control::Avoid({std::min(wanted.forward, -kStraightBack), 0.0}, velocity, points_base, options);
+  return straight.command.forward < avoided.command.forward ? straight : avoided;
 }
 
 /// A drive under way.
@@ -85,7 +100,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
   if (options_.avoid_obstacles) {
     const drivers::RobotState state = robot_.State();
     const DriveSight::Places places = sight_.Look(robot_, localizer_, state, known);
-    const control::AvoidanceResult avoided = control::Avoid(
+    const control::AvoidanceResult avoided = AvoidGoingBack(
         wanted, {state.velocity.forward, state.velocity.turning}, places.points_base, sight_.avoid());
     command = avoided.command;
     if (avoided.p_base) held_map_ = localizer_.T_map_base() * *avoided.p_base;

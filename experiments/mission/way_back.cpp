@@ -9,7 +9,7 @@ namespace ariadne::experiments {
 namespace {
 
 constexpr double kSamePlace = 0.02;  // [m]
-constexpr double kSameTurn = 0.02;   // [rad]
+constexpr double kSameTurn = 0.15;   // turns for which there may be no room any more [rad]
 
 }  // namespace
 

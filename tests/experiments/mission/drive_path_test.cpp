@@ -105,6 +105,17 @@ TEST_F(DrivePathTest, KeepsFromWhatOnlyTheMapKnowsAsMuchAsThePathDoes) {
   EXPECT_EQ(drive(0.08, path.size() / 4).end, DriveEnd::kBlocked) << "the gate is beyond";
 }
 
+TEST_F(DrivePathTest, GoesStraightBackWhereTheLeastTurnIsBarred) {
+  const slam::Pose2 start = robot_.T_map_base_true();
+  const std::vector<Eigen::Vector2d> posts{start * Eigen::Vector2d(0.35, -0.38)};  // beside the nose
+  std::vector<slam::Pose2> path;
+  for (int i = 0; i <= 20; ++i)
+    path.push_back(start * slam::Pose2{0.0, {-0.04 * i, std::min(0.04, 0.01 * i)}});
+  const Localizer localizer(robot_, start, nullptr, robot_.TakeScan().scanner, {});
+  const DriveReport report = DrivePath(robot_, localizer, {path, {}, {}, posts}, {}, {});
+  EXPECT_EQ(report.end, DriveEnd::kArrived) << report.reason;
+}
+
 TEST_F(DrivePathTest, ContactIsLeftByTheWayThatItCame) {
   DriveOptions options;
   options.avoid_obstacles = false;

@@ -126,6 +126,15 @@ TEST(PlanRetreat, GoesBackAsFarAsItIsTold) {
   EXPECT_NEAR(LengthOf(drive.path_map), 3.0, 0.06);
 }
 
+TEST(WayBack, LeavesOutTurnsToAndFroInPlace) {
+  const std::vector<Pose2> driven{
+      {0.0, {0.0, 0.0}}, {0.0, {0.1, 0.0}}, {-0.1, {0.1, 0.0}}, {0.04, {0.1, 0.0}}};
+  const std::vector<Pose2> back = WayBack(driven, 10.0);
+  ASSERT_EQ(back.size(), 2U);
+  EXPECT_EQ(back.front().angle, 0.04) << "where the robot is";
+  EXPECT_EQ(back.back().translation.x(), 0.0);
+}
+
 TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
   std::vector<Pose2> driven;
   for (const double x : {0.0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2, 0.3, 0.4, 0.5, 0.6})
