@@ -132,7 +132,7 @@ std::optional<PlannedDrive> Explorer::Plan() {
     std::size_t sure = map_.size() - 1;
     while (sure > 0 && !map_.registered(sure)) --sure;
     drive = PlanDriveTo(around, T_map_base, map_.T_map_base(sure), options_, seed);
-  } else if (2 * blocked_ >= options_.patience.blocked) {
+  } else if (2 * blocked_ >= options_.patience.blocked && options_.drive_by != DriveBy::kApproach) {
     drive = PlanRetreat(around.trail_map, kAway);
   } else {
     drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);

@@ -27,6 +27,7 @@ slam::MapperOptions RobotMapperOptions() {
   options.registration.method = slam::MatchMethod::kGraph;
   options.icp.one_sided = true;
   options.icp.guess_share = 0.001;
+  options.registration.graph.further_edges = 2;
   options.registration.graph.odometry_position = 0.02;
   options.registration.graph.odometry_angle = 0.01;
   options.registration.graph.floor_height = 0.01;
