@@ -20,14 +20,6 @@ class ComparedRobot : public LoggedRobot {
   /// Keeps references.
   ComparedRobot(Robot& robot, RobotLog& log) : robot_(robot), cursor_(log) {}
 
-  double Now() const override;
-  slam::Pose3 T_base_laser() const override;
-  slam::Scan TakeScan() override;
-  slam::LaserSweep TakeSweep() override;
-  std::vector<SafetySweep> TakeSafetySweeps() override;
-  RobotState State() override;
-  void Drive(const Velocity& velocity) override;
-  void WaitUntil(double time) override;
   void Note(std::string_view text) override;
 
   /// Records of the log that were found again.
@@ -35,8 +27,7 @@ class ComparedRobot : public LoggedRobot {
   std::size_t left() const { return cursor_.left(); }
 
  private:
-  template <typename Call, typename Make>
-  Call Compared(const Call& asked, const Make& make) const;
+  RobotCall Answer(RobotCall asked) const override;
   [[noreturn]] void FailDiffering(const RobotCall& recorded, const std::string& now) const;
 
   Robot& robot_;

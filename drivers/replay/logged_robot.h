@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "drivers/robot.h"
+#include "drivers/replay/robot_call.h"
 
 namespace ariadne::drivers {
 
@@ -11,8 +11,28 @@ namespace ariadne::drivers {
 /// that failed are not on the log, so that a resumed mission asks the robot once more.
 class LoggedRobot : public Robot {
  public:
+  double Now() const final;
+  slam::Pose3 T_base_laser() const final;
+  slam::Scan TakeScan() final;
+  slam::LaserSweep TakeSweep() final;
+  std::vector<SafetySweep> TakeSafetySweeps() final;
+  RobotState State() final;
+  void Drive(const Velocity& velocity) final;
+  void WaitUntil(double time) final;
+
   /// Puts a line on the log, and all before it, safely on the disk: a decision, a reason.
   virtual void Note(std::string_view text) = 0;
+
+ private:
+  template <typename Call>
+  Call Answered(Call asked) const;
+
+  /// The same call with its answer. Const for those that are; the others change the robot and its log,
+  /// which are elsewhere.
+  virtual RobotCall Answer(RobotCall asked) const = 0;
 };
+
+/// Makes a call, which is no Note, and returns it with the robot's answer.
+RobotCall MadeCall(Robot& robot, RobotCall asked);
 
 }  // namespace ariadne::drivers

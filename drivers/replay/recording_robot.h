@@ -12,19 +12,11 @@ class RecordingRobot : public LoggedRobot {
   /// Keeps references.
   RecordingRobot(Robot& robot, RobotLogWriter& log) : robot_(robot), log_(log) {}
 
-  double Now() const override;
-  slam::Pose3 T_base_laser() const override;
-  slam::Scan TakeScan() override;
-  slam::LaserSweep TakeSweep() override;
-  std::vector<SafetySweep> TakeSafetySweeps() override;
-  RobotState State() override;
-  void Drive(const Velocity& velocity) override;
-  void WaitUntil(double time) override;
   void Note(std::string_view text) override;
 
  private:
-  template <typename Call>
-  Call Recorded(Call call) const;
+  RobotCall Answer(RobotCall asked) const override;
+  void Record(const RobotCall& call) const;
 
   Robot& robot_;
   RobotLogWriter& log_;

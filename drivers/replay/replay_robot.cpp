@@ -49,52 +49,12 @@ Robot* ReplayRobot::Live() const {
   return continuation_->robot;
 }
 
-template <typename Call>
-Call ReplayRobot::Answer(const Call& asked) const {
+RobotCall ReplayRobot::Answer(RobotCall asked) const {
+  if (Robot* live = Live()) return MadeCall(*live, std::move(asked));
   RobotCall recorded = cursor_.Peek();
   if (!AskTheSame(asked, recorded)) FailDeparted(cursor_, asked, recorded);
   cursor_.Pass(recorded);
-  return std::get<Call>(std::move(recorded));
-}
-
-double ReplayRobot::Now() const {
-  if (const Robot* live = Live()) return live->Now();
-  return Answer(NowCall{}).time;
-}
-
-slam::Pose3 ReplayRobot::T_base_laser() const {
-  if (const Robot* live = Live()) return live->T_base_laser();
-  return Answer(MountingCall{}).T_base_laser;
-}
-
-slam::Scan ReplayRobot::TakeScan() {
-  if (Robot* live = Live()) return live->TakeScan();
-  return Answer(ScanCall{}).scan;
-}
-
-slam::LaserSweep ReplayRobot::TakeSweep() {
-  if (Robot* live = Live()) return live->TakeSweep();
-  return Answer(SweepCall{}).sweep;
-}
-
-std::vector<SafetySweep> ReplayRobot::TakeSafetySweeps() {
-  if (Robot* live = Live()) return live->TakeSafetySweeps();
-  return Answer(SafetySweepsCall{}).sweeps;
-}
-
-RobotState ReplayRobot::State() {
-  if (Robot* live = Live()) return live->State();
-  return Answer(StateCall{}).state;
-}
-
-void ReplayRobot::Drive(const Velocity& velocity) {
-  if (Robot* live = Live()) return live->Drive(velocity);
-  Answer(DriveCall{velocity});
-}
-
-void ReplayRobot::WaitUntil(double time) {
-  if (Robot* live = Live()) return live->WaitUntil(time);
-  Answer(WaitCall{time});
+  return recorded;
 }
 
 void ReplayRobot::Note(std::string_view text) {

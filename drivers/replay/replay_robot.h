@@ -41,14 +41,6 @@ class ReplayRobot : public LoggedRobot {
   explicit ReplayRobot(RobotLog& log, LiveRobot live = {});
   ~ReplayRobot() override;
 
-  double Now() const override;
-  slam::Pose3 T_base_laser() const override;
-  slam::Scan TakeScan() override;
-  slam::LaserSweep TakeSweep() override;
-  std::vector<SafetySweep> TakeSafetySweeps() override;
-  RobotState State() override;
-  void Drive(const Velocity& velocity) override;
-  void WaitUntil(double time) override;
   /// Nothing happens while the log lasts, whatever its notes say; then it goes to the new log.
   void Note(std::string_view text) override;
 
@@ -61,8 +53,7 @@ class ReplayRobot : public LoggedRobot {
   struct Continuation;
 
   Robot* Live() const;
-  template <typename Call>
-  Call Answer(const Call& asked) const;
+  RobotCall Answer(RobotCall asked) const override;
 
   mutable LogCursor cursor_;
   LiveRobot live_;

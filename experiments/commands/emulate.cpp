@@ -10,6 +10,7 @@
 #include "experiments/commands/run_target.h"
 #include "experiments/config/options_io.h"
 #include "slam/io/file.h"
+#include "slam/io/trajectory.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -23,6 +24,7 @@ struct EmulateArguments {
   std::vector<std::string> assignments;
   std::vector<std::string> faults;
   std::string ports;
+  std::string truth;
 };
 
 void PrintPorts(const EmulatedPorts& ports, const std::string& file) {
@@ -35,6 +37,14 @@ void PrintPorts(const EmulatedPorts& ports, const std::string& file) {
       "hardware.servo.port={} --set hardware.motors.port={} --out results/emulated\nCtrl-C ends.\n",
       ports.scanner, ports.servo, ports.motors);
   std::fflush(stdout);
+}
+
+/// Where the base truly was, by the clock of the devices [s].
+void WriteTruth(const std::vector<drivers::TruePose>& way_world, const std::string& file) {
+  std::vector<slam::StampedPose> poses;
+  for (const drivers::TruePose& true_pose : way_world)
+    poses.push_back({true_pose.time, slam::ToPose3(true_pose.T_map_base)});
+  slam::WriteFileAtomically(file, [&poses](std::ostream& out) { slam::WriteTum(out, poses); });
 }
 
 void EmulateUntilStopped(const EmulateArguments& arguments) {
@@ -50,6 +60,7 @@ void EmulateUntilStopped(const EmulateArguments& arguments) {
   fmt::print(
       "after {:.0f} s: {:.2f} m driven, {} contacts; the robot stands at ({:.3f}, {:.3f}) m, {:.3f} rad\n",
       end.time, end.path, end.collisions, at.translation.x(), at.translation.y(), at.angle);
+  if (!arguments.truth.empty()) WriteTruth(end.way_world, arguments.truth);
 }
 
 }  // namespace
@@ -66,6 +77,8 @@ void AddEmulateCommand(CLI::App& app) {
   command->add_option("--fault", arguments->faults,
                       "DEVICE:KIND:TIME[:AMOUNT], see below; any number of times");
   command->add_option("--ports", arguments->ports, "File to which the names of the ports are written too");
+  command->add_option("--truth", arguments->truth,
+                      "File for where the robot truly was, in TUM form, when it ends");
   command->footer(
       "Example:\n"
       "  ariadne emulate builtin:robobench\n"

@@ -14,9 +14,10 @@ namespace ariadne::experiments {
 /// on the few metres that this is kept for.
 class BesideMemory {
  public:
-  /// The points of the sweeps, and those of earlier ones that are beside the robot now; base frame [m].
+  /// The points of the sweeps, and those of earlier ones that are beside the robot now; base frame of now
+  /// [m].
   std::vector<Eigen::Vector2d> Update(std::span<const drivers::SafetySweep> sweeps,
-                                      const slam::Pose2& T_odom_base);
+                                      const drivers::RobotState& now);
 
  private:
   std::vector<Eigen::Vector2d> near_odom_;

@@ -9,7 +9,6 @@ namespace {
 constexpr double kNear = 0.1;                          // touches the outline, as scanners measure it [m]
 constexpr double kHalfLength = 0.4, kHalfWidth = 0.3;  // of the robot (Sec. 2.1) [m]
 constexpr double kBeyond = 0.05;                       // [m]
-constexpr double kJustNow = 0.001;                     // [s]
 
 /// How far a place is from the robot's outline; negative inside.
 double FromOutline(const Eigen::Vector2d& p_base) {
@@ -26,40 +25,46 @@ Eigen::Vector2d SideThatMoved(const control::DriveCommand& command) {
 
 }  // namespace
 
-slam::Pose2 MovedSince(const slam::LaserSweep& sweep, const slam::ScannerModel& scanner,
-                       const drivers::RobotState& now) {
-  const double age = now.stamp - sweep.stamp - scanner.turn_period * scanner.turns_per_sweep;
-  if (std::abs(age) < kJustNow) return {};
-  return slam::Pose2::Exp({now.velocity.forward * age, 0.0, now.velocity.turning * age});
+slam::Pose3 LaserAtBeam(const drivers::SafetySweep& sweep, std::size_t beam,
+                        const drivers::RobotState& now) {
+  const double age = now.stamp - sweep.sweep.stamp - slam::BeamTime(sweep.scanner, beam);
+  const slam::Pose2 T_now_then =
+      slam::Pose2::Exp({-now.velocity.forward * age, 0.0, -now.velocity.turning * age});
+  return slam::ToPose3(T_now_then) * sweep.T_base_laser;
 }
 
-std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner,
-                                             const drivers::RobotState& now) {
-  std::vector<drivers::SafetySweep> sweeps = robot.TakeSafetySweeps();
-  if (!sweeps.empty()) return sweeps;
-  slam::LaserSweep sweep = robot.TakeSweep();
-  const slam::Pose3 T_now_then = slam::ToPose3(MovedSince(sweep, scanner, now).Inverse());
-  return {{T_now_then * robot.T_base_laser(), scanner, std::move(sweep)}};
-}
-
-std::vector<Eigen::Vector2d> PointsOf(std::span<const drivers::SafetySweep> sweeps) {
-  std::vector<Eigen::Vector2d> points_base;
-  for (const drivers::SafetySweep& sweep : sweeps) {
-    for (std::size_t i = 0; i < sweep.sweep.ranges.size(); ++i) {
-      const double range = sweep.sweep.ranges[i];
-      if (!(range > 0.0)) continue;
-      const Eigen::Vector3d beam = slam::BeamDirection(sweep.scanner, i, sweep.sweep.pitch);
-      points_base.emplace_back((sweep.T_base_laser * (range * beam)).head<2>());
-    }
+std::vector<Eigen::Vector3d> PointsOf(const drivers::SafetySweep& sweep, const drivers::RobotState& now) {
+  std::vector<Eigen::Vector3d> points_base;
+  for (std::size_t i = 0; i < sweep.sweep.ranges.size(); ++i) {
+    const double range = sweep.sweep.ranges[i];
+    if (!(range > 0.0)) continue;
+    const Eigen::Vector3d beam = slam::BeamDirection(sweep.scanner, i, sweep.sweep.pitch);
+    points_base.push_back(LaserAtBeam(sweep, i, now) * (range * beam));
   }
   return points_base;
+}
+
+std::vector<Eigen::Vector2d> PlacesOf(std::span<const drivers::SafetySweep> sweeps,
+                                      const drivers::RobotState& now) {
+  std::vector<Eigen::Vector2d> places_base;
+  for (const drivers::SafetySweep& sweep : sweeps) {
+    for (const Eigen::Vector3d& p_base : PointsOf(sweep, now)) places_base.push_back(p_base.head<2>());
+  }
+  return places_base;
+}
+
+std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner) {
+  std::vector<drivers::SafetySweep> sweeps = robot.TakeSafetySweeps();
+  if (!sweeps.empty()) return sweeps;
+  return {{robot.T_base_laser(), scanner, robot.TakeSweep()}};
 }
 
 Eigen::Vector2d ContactPlace(drivers::Robot& robot, const slam::ScannerModel& scanner,
                              const control::DriveCommand& command) {
   Eigen::Vector2d contact = SideThatMoved(command);
   double nearest = kNear;
-  for (const Eigen::Vector2d& p_base : PointsOf(LookAround(robot, scanner, robot.State()))) {
+  const drivers::RobotState now = robot.State();
+  for (const Eigen::Vector2d& p_base : PlacesOf(LookAround(robot, scanner), now)) {
     if (FromOutline(p_base) >= nearest) continue;
     nearest = FromOutline(p_base);
     contact = p_base;

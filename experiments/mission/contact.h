@@ -9,18 +9,22 @@
 
 namespace ariadne::experiments {
 
-/// How the base has moved since the end of a sweep, by how it moves now: T_then_now. No motion where the
-/// sweep has just ended.
-slam::Pose2 MovedSince(const slam::LaserSweep& sweep, const slam::ScannerModel& scanner,
-                       const drivers::RobotState& now);
+/// Where the scanner was when it measured a beam, by how the base moves now: T_base_laser of then in the
+/// base frame of now. A sweep takes 13 ms and more: who turns at 0.6 rad/s has turned by 8 mrad meanwhile.
+slam::Pose3 LaserAtBeam(const drivers::SafetySweep& sweep, std::size_t beam,
+                        const drivers::RobotState& now);
+
+/// What a sweep saw, each beam from where the scanner was then; in the base frame of now, without
+/// no-returns.
+std::vector<Eigen::Vector3d> PointsOf(const drivers::SafetySweep& sweep, const drivers::RobotState& now);
+
+/// The same of several, from above.
+std::vector<Eigen::Vector2d> PlacesOf(std::span<const drivers::SafetySweep> sweeps,
+                                      const drivers::RobotState& now);
 
 /// What the safety scanners see now. A robot that has none looks with its 3D scanner in horizontal mode,
-/// whose model is `scanner`; where that saw something is told in the base frame of now.
-std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner,
-                                             const drivers::RobotState& now);
-
-/// What safety scanners saw, in the base frame, from above; without no-returns.
-std::vector<Eigen::Vector2d> PointsOf(std::span<const drivers::SafetySweep> sweeps);
+/// whose model is `scanner`.
+std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner);
 
 /// What the robot touches [m, base frame]: the nearest thing that the safety scanners see within 10 cm of
 /// its outline; where they see none, the side or corner that the command moved, 5 cm further out.

@@ -69,7 +69,7 @@ std::vector<Eigen::Vector2d> DriveSight::ToCome(std::span<const drivers::SafetyS
                                                 const slam::Pose2& T_map_base) {
   if (!options_.moving.watch) return {};
   const slam::Pose2 &T_odom_base = state.odometry.T_odom_base, T_base_odom = T_odom_base.Inverse();
-  std::vector<Eigen::Vector2d> points = PointsOf(sweeps);
+  std::vector<Eigen::Vector2d> points = PlacesOf(sweeps, state);
   for (Eigen::Vector2d& p : points) p = T_odom_base * p;
   moving_.Update(points, T_odom_base.translation, state.stamp);
   const double braking = std::max(std::abs(state.velocity.forward) / avoid_.limits.acceleration,
@@ -88,8 +88,8 @@ std::vector<Eigen::Vector2d> DriveSight::ToCome(std::span<const drivers::SafetyS
 
 DriveSight::Places DriveSight::Look(drivers::Robot& robot, const Localizer& localizer,
                                     const drivers::RobotState& state, bool known) {
-  const std::vector<drivers::SafetySweep> sweeps = LookAround(robot, localizer.scanner(), state);
-  Places places{beside_.Update(sweeps, state.odometry.T_odom_base), 0};
+  const std::vector<drivers::SafetySweep> sweeps = LookAround(robot, localizer.scanner());
+  Places places{beside_.Update(sweeps, state), 0};
   places.seen = places.points_base.size();
   const auto add = [&](const std::vector<Eigen::Vector2d>& more_base) {
     places.points_base.insert(places.points_base.end(), more_base.begin(), more_base.end());

@@ -51,17 +51,9 @@ void Localizer::Predict() {
 
 void Localizer::Correct() {
   way_ = turn_ = 0.0;
-  const slam::LaserSweep sweep = robot_.TakeSweep();
-  const slam::Pose3 T_base_laser =
-      slam::ToPose3(MovedSince(sweep, scanner_, last_).Inverse()) * robot_.T_base_laser();
-  std::vector<Eigen::Vector3d> points_base;
-  for (std::size_t i = 0; i < sweep.ranges.size(); ++i) {
-    const double range = sweep.ranges[i];
-    if (range > 0.0)
-      points_base.push_back(T_base_laser * (range * slam::BeamDirection(scanner_, i, sweep.pitch)));
-  }
+  const drivers::SafetySweep sweep{robot_.T_base_laser(), scanner_, robot_.TakeSweep()};
   const slam::LocateResult located =
-      slam::LocateSweep(*model_map_, points_base, T_map_base_, covariance_, options_.locate);
+      slam::LocateSweep(*model_map_, PointsOf(sweep, last_), T_map_base_, covariance_, options_.locate);
   if (!located.trusted) return;
   T_map_base_ = located.T_map_base;
   covariance_ = located.covariance;

@@ -73,6 +73,7 @@ class Explorer {
   std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
   std::vector<Eigen::Vector2d> held_map_;       // of these, what has held the robot up
   std::vector<FailedTarget> failed_;
+  bool went_out_ = false;                                  // as far as that leads, since the last view
   int blocked_ = 0, unregistered_ = 0;                     // in a row
   Eigen::Vector2d blocked_map_ = Eigen::Vector2d::Zero();  // near which it was blocked so often
 };
@@ -136,6 +137,12 @@ std::optional<PlannedDrive> Explorer::Plan() {
     drive = PlanRetreat(around.trail_map, kAway);
   } else {
     drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
+    if (drive) {
+      went_out_ = false;
+    } else if (!went_out_ && options_.drive_by != DriveBy::kApproach) {
+      drive = PlanWayOut(around, T_map_base, failed_, kAway, options_, seed);
+      went_out_ = drive.has_value();
+    }
     if (!drive && options_.area.sparse.max_spacing > 0.0) {
       for (std::size_t h = 0; h < map_.height_count(); ++h) around.areas[h] = map_.AreaToLookCloser(h);
       MissionOptions closer = options_;

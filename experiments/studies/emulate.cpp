@@ -142,8 +142,9 @@ EmulationEnd Emulate(const std::string& world, const EmulateOptions& options,
     device_faults.Update(now);
     return goes_on(now);
   });
-  return {scanner.Now(), LengthOf(robot.base().path_true()),
-          static_cast<int>(robot.base().collisions().size()), robot.base().T_map_base_true()};
+  const std::vector<drivers::TruePose>& way_world = robot.base().path_true();
+  return {scanner.Now(), LengthOf(way_world), static_cast<int>(robot.base().collisions().size()),
+          robot.base().T_map_base_true(), way_world};
 }
 
 }  // namespace ariadne::experiments

@@ -61,6 +61,7 @@ struct EmulationEnd {
   double path = 0.0;  // truly driven [m]
   int collisions = 0;
   slam::Pose2 T_world_base;
+  std::vector<drivers::TruePose> way_world;  // one per step in which it moved, and one before it began to
 };
 
 /// Emulates the devices of a robot in a world, in real time, each on a pseudo-terminal of its own, as long

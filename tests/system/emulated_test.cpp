@@ -9,6 +9,7 @@
 #include "drivers/emulated/pty_server.h"
 #include "drivers/emulated/robot/emulated_robot.h"
 #include "drivers/simulated/load_world.h"
+#include "slam/io/trajectory.h"
 #include "tests/system/program.h"
 #include "tests/system/rooms.h"
 
@@ -33,7 +34,7 @@ class Emulated : public ProgramTest {
   /// Starts `ariadne emulate`; its ports by their names. It ends by EndEmulation.
   std::map<std::string, std::string> StartEmulation() {
     emulation_ = Start({"emulate", "rooms.json", "--set", "geometry.plan.thickness=0.3", "--ports",
-                        (folder_ / "ports.txt").string()});
+                        (folder_ / "ports.txt").string(), "--truth", (folder_ / "truth.tum").string()});
     std::map<std::string, std::string> ports;
     for (int i = 0; i < 200 && !ports.contains("motors"); ++i) {
       std::this_thread::sleep_for(milliseconds(50));
@@ -65,6 +66,21 @@ class Emulated : public ProgramTest {
 
   pid_t emulation_ = -1;
 };
+
+std::vector<slam::StampedPose> ReadPoses(const std::string& text) {
+  std::istringstream in(text);
+  return slam::ReadTum(in, "poses");
+}
+
+/// How far from the truth, which is of the base, the scanner's way ends, if both begin at one place [m].
+double ErrorAtTheEnd(const std::vector<slam::StampedPose>& poses,
+                     const std::vector<slam::StampedPose>& truth) {
+  slam::Pose3 T_base_laser;
+  T_base_laser.translation.x() = 0.25;  // hardware.mount.x
+  const slam::Pose3 moved = T_base_laser * poses.front().pose.Inverse() * poses.back().pose;
+  const slam::Pose3 moved_truly = truth.front().pose.Inverse() * truth.back().pose * T_base_laser;
+  return (moved.translation - moved_truly.translation).norm();
+}
 
 nlohmann::json Metrics(const std::string& text) { return nlohmann::json::parse(text); }
 
@@ -119,6 +135,9 @@ TEST_F(Emulated, IsExploredOverPorts) {
   EXPECT_EQ(status, 1 << 8) << "it was stopped";
   Must("explore --resume --out run -q");
   EXPECT_EQ(EndEmulation(), 0);
+  const auto truth = ReadPoses(Content("truth.tum"));
+  ASSERT_GT(truth.size(), 100U);
+  EXPECT_LT(ErrorAtTheEnd(ReadPoses(Content("run/trajectory.tum")), truth), 0.03);
   const nlohmann::json metrics = Metrics(Content("run/metrics.json"));
   EXPECT_EQ(metrics["scans"], 2);
   EXPECT_EQ(metrics["refused"], 0);

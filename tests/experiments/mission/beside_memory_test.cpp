@@ -35,12 +35,18 @@ std::vector<drivers::SafetySweep> Look(const slam::Pose2& T_odom_base,
   return {SweepOf(0.4, 0.0, places_base), SweepOf(-0.4, std::numbers::pi, places_base)};
 }
 
+drivers::RobotState At(const slam::Pose2& T_odom_base) {
+  drivers::RobotState state;
+  state.odometry.T_odom_base = T_odom_base;
+  return state;
+}
+
 TEST(BesideMemory, KnowsWhatTheRobotPasses) {
   BesideMemory memory;
   const Vector2d post_odom(2.007, 0.5);
   for (double x = 0.0; x <= 4.0; x += 0.02) {
     const slam::Pose2 T_odom_base{0.0, {x, 0.0}};
-    const std::vector<Vector2d> points = memory.Update(Look(T_odom_base, {post_odom}), T_odom_base);
+    const std::vector<Vector2d> points = memory.Update(Look(T_odom_base, {post_odom}), At(T_odom_base));
     ASSERT_FALSE(points.empty()) << x;  // seen ahead, remembered beside, seen behind
     for (const Vector2d& p_base : points) EXPECT_LT((T_odom_base * p_base - post_odom).norm(), 0.02);
   }
@@ -49,10 +55,10 @@ TEST(BesideMemory, KnowsWhatTheRobotPasses) {
 TEST(BesideMemory, BelievesWhatItSees) {
   BesideMemory memory;
   const slam::Pose2 before{0.0, {1.2, 0.0}}, beside{0.0, {1.8, 0.0}}, back{0.0, {1.3, 0.0}};
-  EXPECT_FALSE(memory.Update(Look(before, {{2.0, 0.5}}), before).empty());
-  EXPECT_FALSE(memory.Update(Look(beside, {}), beside).empty());  // it cannot know
-  EXPECT_TRUE(memory.Update(Look(back, {}), back).empty());       // ahead again, and gone
-  EXPECT_TRUE(memory.Update(Look(beside, {}), beside).empty());
+  EXPECT_FALSE(memory.Update(Look(before, {{2.0, 0.5}}), At(before)).empty());
+  EXPECT_FALSE(memory.Update(Look(beside, {}), At(beside)).empty());  // it cannot know
+  EXPECT_TRUE(memory.Update(Look(back, {}), At(back)).empty());       // ahead again, and gone
+  EXPECT_TRUE(memory.Update(Look(beside, {}), At(beside)).empty());
 }
 
 TEST(BesideMemory, ForgetsWhatIsFarAndDoesNotGrow) {
@@ -62,7 +68,7 @@ TEST(BesideMemory, ForgetsWhatIsFarAndDoesNotGrow) {
   std::size_t most = 0;
   for (double x = 0.0; x <= 20.0; x += 0.05) {
     const slam::Pose2 T_odom_base{0.0, {x, 0.0}};
-    most = std::max(most, memory.Update(Look(T_odom_base, wall_odom), T_odom_base).size());
+    most = std::max(most, memory.Update(Look(T_odom_base, wall_odom), At(T_odom_base)).size());
   }
   EXPECT_GT(most, 60U);
   EXPECT_LT(most, 400U);

@@ -135,6 +135,46 @@ TEST(WayBack, LeavesOutTurnsToAndFroInPlace) {
   EXPECT_EQ(back.back().translation.x(), 0.0);
 }
 
+/// Two rooms of 5 m x 4 m with a gap of 1.2 m between them that the map takes for closed; a robot that came
+/// through it to the right one, and has seen all walls but one of the left.
+Surroundings ShutIn(bool seen) {
+  Surroundings around;
+  planning::LabelledPolygon rooms;
+  for (const Vector2d& corner : {Vector2d{0, 0},
+                                 {5, 0},
+                                 {5, 1.4},
+                                 {5.1, 1.4},
+                                 {5.1, 0},
+                                 {10, 0},
+                                 {10, 4},
+                                 {5.1, 4},
+                                 {5.1, 2.6},
+                                 {5, 2.6},
+                                 {5, 4},
+                                 {0, 4}})
+    rooms.outer.push_back({corner, true});
+  rooms.outer[1].seen = seen;  // from (5, 0) to (5, 1.4)
+  around.areas = {{rooms}};
+  for (double y = 1.4; y <= 2.6; y += 0.03) around.obstacles_map.emplace_back(5.05, y);
+  for (double x = 2.0; x <= 6.5; x += 0.05) around.trail_map.push_back({0.0, {x, 2.0}});
+  return around;
+}
+
+TEST(PlanWayOut, GoesBackThroughWhatTheMapTakesForClosed) {
+  Surroundings around = ShutIn(false);
+  const Pose2 stand = around.trail_map.back();
+  ASSERT_FALSE(PlanNextDrive(around, stand, {}, {}, 1)) << "nothing leads there";
+  const auto drive = PlanWayOut(around, stand, {}, 3.0, {}, 1);
+  ASSERT_TRUE(drive);
+  EXPECT_FALSE(drive->view);
+  EXPECT_EQ(drive->retraced, drive->path_map.size());
+  EXPECT_NEAR(drive->path_map.back().translation.x(), 3.5, 0.06);
+
+  EXPECT_FALSE(PlanWayOut(ShutIn(true), stand, {}, 3.0, {}, 1)) << "nothing is worth it";
+  around.trail_map.assign(1, stand);
+  EXPECT_FALSE(PlanWayOut(around, stand, {}, 3.0, {}, 1)) << "it has come from nowhere";
+}
+
 TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
   std::vector<Pose2> driven;
   for (const double x : {0.0, 0.1, 0.2, 0.3, 0.4, 0.3, 0.2, 0.3, 0.4, 0.5, 0.6})
