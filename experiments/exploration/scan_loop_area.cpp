@@ -132,8 +132,7 @@ std::vector<LabelledPolygon> ScanLoopArea::ToLookCloser(std::span<const Labelled
   for (std::size_t i = 0; i < T_map_laser.size(); ++i) {
     const slam::Pose2 T_map_scan = FromAbove(T_map_laser[i]);
     for (const planning::SliceLine& line : lines_[height][i])
-      lines.push_back({T_map_scan * line.from_scan, T_map_scan * line.to_scan, T_map_scan.translation,
-                       T_map_scan.angle});
+      lines.push_back({T_map_scan * line.from_scan, T_map_scan * line.to_scan, T_map_scan.translation});
   }
   return planning::WithSparseUnseen(area, lines, options_.sparse);
 }

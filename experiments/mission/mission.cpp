@@ -145,9 +145,7 @@ std::optional<PlannedDrive> Explorer::Plan() {
     }
     if (!drive && options_.area.sparse.max_spacing > 0.0) {
       for (std::size_t h = 0; h < map_.height_count(); ++h) around.areas[h] = map_.AreaToLookCloser(h);
-      MissionOptions closer = options_;
-      closer.planner.view.gain.ahead = options_.area.sparse.ahead;
-      drive = PlanNextDrive(around, T_map_base, failed_, closer, seed);
+      drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
     }
   }
   next_.planning_seconds = watch.Seconds();

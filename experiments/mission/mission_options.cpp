@@ -39,7 +39,6 @@ ScanLoopAreaOptions RobotAreaOptions() {
   ScanLoopAreaOptions options;
   options.max_gap = 90.0;
   options.sparse.max_spacing = 0.15;
-  options.sparse.ahead = 0.9;
   return options;
 }
 

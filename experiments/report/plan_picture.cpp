@@ -140,8 +140,8 @@ ViewRays RaysOf(const planning::View& view, std::span<const planning::LabelledPo
   ViewRays rays;
   for (const std::size_t i : gain.RaysAbout(view.direction)) {
     const double range = std::min(hits[i].distance, options.max_range);
-    const bool counts = gain.IsUnseen(hits[i]) && gain.Shows(i, hits[i], view.direction);
-    (counts ? rays.unseen : rays.other).emplace_back(view.p_map, view.p_map + range * gain.Direction(i));
+    (gain.IsUnseen(hits[i]) ? rays.unseen : rays.other)
+        .emplace_back(view.p_map, view.p_map + range * gain.Direction(i));
   }
   return rays;
 }

@@ -40,18 +40,13 @@ class Density {
 
   bool Suffices(const Vector2d& middle_map, const Vector2d& direction) const {
     return std::ranges::any_of(lines_, [&](const SightedLine& line) {
-      return IsAhead(middle_map, line) && IsLeftOf(line.scanner_map, middle_map, direction) &&
+      return IsLeftOf(line.scanner_map, middle_map, direction) &&
              SpacingAt(middle_map, direction, line.scanner_map, beam_step_) <= options_.max_spacing &&
              DistanceToLine(middle_map, line) <= options_.within;
     });
   }
 
  private:
-  bool IsAhead(const Vector2d& p_map, const SightedLine& line) const {
-    const Vector2d forward(std::cos(line.heading), std::sin(line.heading));
-    return options_.ahead == 0.0 || forward.dot(p_map - line.scanner_map) >= options_.ahead;
-  }
-
   std::span<const SightedLine> lines_;
   const SparseEdgeOptions& options_;
   double beam_step_;  // [rad]

@@ -14,7 +14,6 @@ struct SightedLine {
   Eigen::Vector2d from_map = Eigen::Vector2d::Zero();
   Eigen::Vector2d to_map = Eigen::Vector2d::Zero();
   Eigen::Vector2d scanner_map = Eigen::Vector2d::Zero();
-  double heading = 0.0;  // of the scanner [rad]
 };
 
 struct SparseEdgeOptions {
@@ -22,7 +21,6 @@ struct SparseEdgeOptions {
   double beam_step = 1.0;
   double piece = 0.25;
   double within = 0.15;
-  double ahead = 0.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -33,9 +31,6 @@ struct SparseEdgeOptions {
     visit("piece", self.piece, Unit("m"), Range{0.01, 100.0}, "of an edge, that is dense or not");
     visit("within", self.within, Unit("m"), Range{0.0, 10.0},
           "from a line to the edges that it stands for: more than registration errs");
-    visit("ahead", self.ahead, Unit("m"), Range{0.0, 100.0},
-          "of the line across the scanner, a wall must be: a scanner that tilts shows it there down to the "
-          "floor and up to the ceiling, and nearer to its axis only at about its own height");
   }
 };
 

@@ -22,7 +22,7 @@ LookedAt::LookedAt(std::span<const Edge> edges, std::span<const slam::Pose2> T_m
     const RayGain rays(edges, T_map_scan.angle, options);
     const std::vector<RayHit> hits = rays.Cast(T_map_scan.translation);
     for (const std::size_t i : rays.RaysAbout(T_map_scan.angle)) {
-      if (!rays.IsUnseen(hits[i]) || !rays.Shows(i, hits[i], T_map_scan.angle)) continue;
+      if (!rays.IsUnseen(hits[i])) continue;
       const Eigen::Vector2d p_map = T_map_scan.translation + hits[i].distance * rays.Direction(i);
       const double sine = SineBetween(edges[hits[i].edge], rays.Direction(i));
       looks_[PieceOf(hits[i].edge, p_map)].push_back({hits[i].distance, sine});

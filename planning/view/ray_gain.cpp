@@ -147,24 +147,8 @@ void RayGain::Meet(std::size_t edge, double distance, RayHit& hit) const {
 }
 
 bool RayGain::IsUnseen(const RayHit& hit) const {
-  return !hit.seen && !hit.spent && hit.distance >= std::max(options_.min_range, options_.ahead) &&
+  return !hit.seen && !hit.spent && hit.distance >= options_.min_range &&
          hit.distance <= options_.max_range;
-}
-
-bool RayGain::Shows(std::size_t ray, const RayHit& hit, double direction) const {
-  if (options_.ahead == 0.0) return true;
-  const Eigen::Vector2d forward(std::cos(direction), std::sin(direction));
-  return hit.distance * direction_[ray].dot(forward) >= options_.ahead;
-}
-
-/// How far from the middle of a view each hit may be to be so far ahead, in steps; empty: anywhere.
-std::vector<double> RayGain::Reaches(std::span<const RayHit> hits) const {
-  std::vector<double> reaches;
-  if (options_.ahead == 0.0) return reaches;
-  for (const RayHit& hit : hits)
-    reaches.push_back(hit.distance < options_.ahead ? -1.0
-                                                    : std::acos(options_.ahead / hit.distance) / step_);
-  return reaches;
 }
 
 double RayGain::AreaBehind(const RayHit& hit) const {
@@ -196,10 +180,9 @@ ViewGain RayGain::Of(std::span<const RayHit> hits, double min_overlap) const {
   // The sum runs from phi to phi + pi, both included; the tolerance keeps 180 deg at 181 rays.
   const double steps = slam::RadFromDeg(options_.field_of_view) / step_;
   const int width = static_cast<int>(std::floor(steps + 1e-9)) + 1;
-  const std::vector<double> reaches = Reaches(hits);
-  const ViewGain best = About(BestWindow(values, width, reaches), hits);
+  const ViewGain best = About(BestWindow(values, width), hits);
   if (best.overlap >= min_overlap) return best;
-  const std::optional<Window> other = BestWindowWith(values, width, known, min_overlap, reaches);
+  const std::optional<Window> other = BestWindowWith(values, width, known, min_overlap);
   return other ? About(*other, hits) : best;
 }
 
@@ -211,7 +194,7 @@ ViewGain RayGain::About(const Window& window, std::span<const RayHit> hits) cons
   int known = 0;
   for (const std::size_t i : rays) {
     known += IsKnown(hits[i]) ? 1 : 0;
-    if (!IsUnseen(hits[i]) || !Shows(i, hits[i], view.direction)) continue;
+    if (!IsUnseen(hits[i])) continue;
     ++view.gain;
     view.area += AreaBehind(hits[i]);
   }

@@ -25,7 +25,6 @@ struct RayGainOptions {
   double field_of_view = 180.0;
   double min_range = 0.5;
   double max_range = 15.0;
-  double ahead = 0.0;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -46,9 +45,6 @@ struct RayGainOptions {
     visit("max_range", self.max_range, Unit("m"), Range{0.01, 10000.0},
           "farther hits, and rays without a hit, count nothing; the paper's 15, less in slices whose "
           "height the tilt reaches only near the robot");
-    visit("ahead", self.ahead, Unit("m"), Range{0.0, 1000.0},
-          "of the line across the scanner, hits must be to count: how far from its axis a tilting scanner "
-          "shows walls down to the floor and up to the ceiling; 0 as in the paper, which plans in a plane");
   }
 };
 
@@ -85,9 +81,6 @@ class RayGain {
   /// f(p, i): whether a ray meets an unseen edge within the range limits, which is not spent.
   bool IsUnseen(const RayHit& hit) const;
 
-  /// Whether a view in a direction in the map shows what a ray meets so far ahead as is asked for.
-  bool Shows(std::size_t ray, const RayHit& hit, double direction) const;
-
   /// What a ray that meets an unseen edge counts: 1, or an area [m^2].
   double GainOf(const RayHit& hit) const;
 
@@ -106,7 +99,6 @@ class RayGain {
 
  private:
   bool IsKnown(const RayHit& hit) const { return hit.seen && hit.distance <= options_.max_range; }
-  std::vector<double> Reaches(std::span<const RayHit> hits) const;
   ViewGain About(const Window& window, std::span<const RayHit> hits) const;
   void AddCorner(const Eigen::Vector2d& p_map);
   double AreaBehind(const RayHit& hit) const;

@@ -24,30 +24,6 @@ std::vector<int> WindowSums(std::span<const int> values, std::size_t width) {
   return sums;
 }
 
-/// The same where each value counts only so near to the middle: it is added where windows begin to hold it
-/// and taken off where they end to.
-std::vector<int> WindowSums(std::span<const int> values, std::size_t width,
-                            std::span<const double> reaches) {
-  if (reaches.empty()) return WindowSums(values, width);
-  const auto n = static_cast<long>(values.size());
-  const double half = 0.5 * (static_cast<double>(width) - 1.0);
-  std::vector<int> changes(values.size() + 1, 0);
-  for (long i = 0; i < n; ++i) {
-    const double reach = std::min(reaches[static_cast<std::size_t>(i)], half);
-    const auto from = static_cast<long>(std::ceil(static_cast<double>(i) - half - reach));
-    const auto to = static_cast<long>(std::floor(static_cast<double>(i) - half + reach)) + 1;
-    const int value = values[static_cast<std::size_t>(i)];
-    if (value == 0 || to <= from) continue;
-    const long first = (from % n + n) % n, end = first + std::min(to - from, n);
-    changes[static_cast<std::size_t>(first)] += value;
-    if (end > n) changes[0] += value;
-    changes[static_cast<std::size_t>(end > n ? end - n : end)] -= value;
-  }
-  changes.pop_back();
-  std::partial_sum(changes.begin(), changes.end(), changes.begin());
-  return changes;
-}
-
 /// All runs of the largest sum around the circle; empty where all sums are the same.
 std::vector<Plateau> Plateaus(const std::vector<int>& sums, int largest) {
   std::vector<Plateau> plateaus;
@@ -89,17 +65,17 @@ double BestCenter(const std::vector<int>& sums, int largest, int width, bool bet
 
 }  // namespace
 
-Window BestWindow(std::span<const int> values, int width, std::span<const double> reaches) {
+Window BestWindow(std::span<const int> values, int width) {
   width = std::clamp(width, 1, static_cast<int>(values.size()));
-  const std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width), reaches);
+  const std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width));
   const int largest = *std::ranges::max_element(sums);
   return {largest, BestCenter(sums, largest, width, true)};
 }
 
 std::optional<Window> BestWindowWith(std::span<const int> values, int width, std::span<const int> marks,
-                                     double least_share, std::span<const double> reaches) {
+                                     double least_share) {
   width = std::clamp(width, 1, static_cast<int>(values.size()));
-  std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width), reaches);
+  std::vector<int> sums = WindowSums(values, static_cast<std::size_t>(width));
   const std::vector<int> marked = WindowSums(marks, static_cast<std::size_t>(width));
   constexpr int kRefused = -1;  // less than any sum
   for (std::size_t i = 0; i < sums.size(); ++i) {

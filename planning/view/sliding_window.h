@@ -15,14 +15,11 @@ struct Window {
 /// that plateau, so that small errors of the pose do not matter; of several plateaus the longest, then the
 /// one nearest to value 0, then the one on its left (counterclockwise). Where all windows have the same
 /// sum, the one about value 0. Values must not be empty; a width beyond their number is that number.
-///
-/// `reaches`, if given, says for each value how far from the middle of a window it may be, in steps, to
-/// count in it; less than 0: nowhere.
-Window BestWindow(std::span<const int> values, int width, std::span<const double> reaches = {});
+Window BestWindow(std::span<const int> values, int width);
 
 /// The same among the windows of whose values at least a share is marked (1, else 0; one mark per value);
 /// where two are in the middle of a plateau, the first. Nothing where no window has so many.
 std::optional<Window> BestWindowWith(std::span<const int> values, int width, std::span<const int> marks,
-                                     double least_share, std::span<const double> reaches = {});
+                                     double least_share);
 
 }  // namespace ariadne::planning

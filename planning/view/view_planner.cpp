@@ -63,7 +63,7 @@ std::vector<EdgePiece> PiecesOf(const Scene& scene, const View& view, std::span<
                                 double length, PieceNumbers& numbers) {
   std::map<std::uint32_t, double> gains;
   for (const std::size_t i : scene.gain.RaysAbout(view.direction)) {
-    if (!scene.gain.IsUnseen(hits[i]) || !scene.gain.Shows(i, hits[i], view.direction)) continue;
+    if (!scene.gain.IsUnseen(hits[i])) continue;
     const Eigen::Vector2d p = view.p_map + hits[i].distance * scene.gain.Direction(i);
     const double along = (p - scene.edges[hits[i].edge].from).norm();
     const std::pair piece(hits[i].edge, static_cast<long>(along / length));

@@ -76,18 +76,6 @@ TEST(WithSparseUnseen, NeedsALineSeenFromTheFreeSide) {
   }
 }
 
-TEST(WithSparseUnseen, NeedsALineAheadOfTheScannerNotBesideIt) {
-  const LabelledPolygon hall = Hall();
-  std::vector<SightedLine> lines = LinesFrom({4.0, 4.0});
-  for (SightedLine& line : lines) line.heading = 0.5 * std::numbers::pi;  // towards the wall at y = 8 m
-  SparseEdgeOptions options = Spacing(0.15);
-  options.ahead = 1.0;
-  const LabelledPolygon relabelled = WithSparseUnseen({&hall, 1}, lines, options).front();
-  // Of what it has seen densely (above), that beyond y = 5 m.
-  const double along = std::sqrt(0.15 / (std::numbers::pi / 180.0) * 4.0 - 16.0);
-  EXPECT_NEAR(SeenLength(relabelled), (4.0 + along) + 3.0, 2 * 0.25);
-}
-
 TEST(WithSparseUnseen, IsTheSameInAnyFrameAndNothingWithoutASpacing) {
   const LabelledPolygon hall = Hall();
   const std::vector<SightedLine> lines = LinesFrom({3.0, 2.0});
