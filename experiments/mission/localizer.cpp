@@ -34,6 +34,10 @@ const slam::Pose2& Localizer::Update() {
   return T_map_base_;
 }
 
+slam::Pose2::Square Localizer::covariance() const {
+  return covariance_ + DiagonalOf(kStandingPosition, kStandingAngle);
+}
+
 void Localizer::Predict() {
   const drivers::RobotState now = robot_.State();
   const slam::Pose2 moved = last_.odometry.T_odom_base.Inverse() * now.odometry.T_odom_base;

@@ -50,7 +50,9 @@ class Localizer {
   const slam::Pose2& Update();
 
   const slam::Pose2& T_map_base() const { return T_map_base_; }
-  const slam::Pose2::Square& covariance() const { return covariance_; }
+  /// In the tangent space of the pose: what sweeps and odometry leave open, and what the sweeps share, the
+  /// errors of the map's own scans.
+  slam::Pose2::Square covariance() const;
   const slam::ScannerModel& scanner() const { return scanner_; }
   int corrections() const { return corrections_; }
 
