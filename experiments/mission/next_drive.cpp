@@ -82,6 +82,15 @@ std::vector<RankedView> RankViews(const Surroundings& around, const Pose2& T_map
   return apart;
 }
 
+/// For views that the raster shows no path to: there may be one that is narrow to a cell, and hardly ever
+/// is.
+MissionOptions Hasty(const MissionOptions& options) {
+  constexpr int kFewIterations = 400;
+  MissionOptions hasty = options;
+  hasty.path.max_iterations = std::min(kFewIterations, options.path.max_iterations);
+  return hasty;
+}
+
 /// Views by their ranks, and what leads to them.
 class RankedDrives {
  public:
@@ -103,7 +112,8 @@ class RankedDrives {
   }
 
   /// By the best way that one of the best few has.
-  std::optional<PlannedDrive> ByPath(std::span<const std::size_t> ranks) const {
+  std::optional<PlannedDrive> ByPath(std::span<const std::size_t> ranks,
+                                     const MissionOptions& options) const {
     std::optional<PlannedDrive> drive;
     const auto attempt = [&](const PlanDrive& plan_drive) {
       for (const std::size_t rank : ranks.first(std::min(ranks.size(), BestFew()))) {
@@ -112,7 +122,7 @@ class RankedDrives {
         drive = To(rank, plan_drive(spaces, GoalOf(rank)));
       }
     };
-    TryWays(around_, T_map_base_, options_, seed_, attempt);
+    TryWays(around_, T_map_base_, options, seed_, attempt);
     return drive;
   }
 
@@ -174,8 +184,8 @@ std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const Pose
   const RankedDrives drives(around, T_map_base, RankViews(around, T_map_base, failed, options, seed),
                             options, seed);
   std::optional<PlannedDrive> drive;
-  if (options.drive_by != DriveBy::kApproach) drive = drives.ByPath(drives.Reachable());
-  if (!drive) drive = drives.ByPath(drives.All());
+  if (options.drive_by != DriveBy::kApproach) drive = drives.ByPath(drives.Reachable(), options);
+  if (!drive) drive = drives.ByPath(drives.All(), Hasty(options));
   if (!drive) drive = drives.OfDisc(failed);
   return drive;
 }

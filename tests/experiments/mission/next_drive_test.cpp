@@ -116,6 +116,27 @@ TEST(PlanNextDrive, DoesNotScanTwiceFromOnePose) {
   }
 }
 
+// A gap that a disc of the robot's half width passes and its rectangle does not.
+TEST(PlanNextDrive, TriesTheWayOfADiscIntoARoomTwiceOnly) {
+  Surroundings around = RoomWithLine(6.0, 4.5);
+  around.areas[0][0].outer[1].seen = false;  // all of the right wall
+  for (double y = 0.0; y <= 4.0; y += 0.03) {
+    if (std::abs(y - 2.0) > 0.325) around.obstacles_map.emplace_back(5.0, y);
+  }
+  const Pose2 stand{0.0, {2.0, 2.0}};
+  MissionOptions options;
+  options.planner.view.gain.max_range = 3.0;  // from beyond the gap
+  options.patience.targets = 1;
+  const auto drive = PlanNextDrive(around, stand, {}, options, 1);
+  ASSERT_TRUE(drive && drive->view);
+  EXPECT_TRUE(drive->of_disc);
+  EXPECT_GT(drive->view->p_map.x(), 5.0);
+  std::vector<FailedTarget> failed{{{7.0, 2.0}, 1, true}};
+  EXPECT_TRUE(PlanNextDrive(around, stand, failed, options, 1)) << "once more, from another side maybe";
+  failed.push_back({{7.0, 3.0}, 1, true});
+  EXPECT_FALSE(PlanNextDrive(around, stand, failed, options, 1));
+}
+
 TEST(PlanRetreat, GoesBackAsFarAsItIsTold) {
   std::vector<Pose2> trail;
   for (double x = 0.0; x < 8.0; x += 0.05) trail.push_back({0.0, {x, 1.0}});
