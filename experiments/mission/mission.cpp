@@ -140,7 +140,7 @@ std::optional<PlannedDrive> Explorer::Plan() {
     if (drive) {
       went_out_ = false;
     } else if (!went_out_ && options_.drive_by != DriveBy::kApproach) {
-      drive = PlanWayOut(around, T_map_base, failed_, kAway, options_, seed);
+      drive = PlanWayOut(around, failed_, options_, seed);
       went_out_ = drive.has_value();
     }
     if (!drive && options_.area.sparse.max_spacing > 0.0) {

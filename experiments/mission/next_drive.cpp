@@ -209,15 +209,17 @@ PlannedDrive PlanRetreat(std::span<const Pose2> trail_map, double away) {
   return drive;
 }
 
-std::optional<PlannedDrive> PlanWayOut(const Surroundings& around, const Pose2& T_map_base,
-                                       std::span<const FailedTarget> failed, double away,
+std::optional<PlannedDrive> PlanWayOut(const Surroundings& around, std::span<const FailedTarget> failed,
                                        const MissionOptions& options, std::uint64_t seed) {
-  Surroundings open = around;
-  open.obstacles_map.clear();  // else no view beyond them is one
-  if (RankViews(open, T_map_base, failed, options, seed).empty()) return {};
-  PlannedDrive drive = PlanRetreat(around.trail_map, away);
-  if (drive.path_map.size() < 2) return {};  // it has not moved yet
-  return drive;
+  constexpr double kStep = 3.0, kFarthest = 12.0;  // [m]
+  Surroundings there = around;
+  there.trail_map.clear();  // it does not end there
+  for (double away = kStep; away <= kFarthest; away += kStep) {
+    PlannedDrive drive = PlanRetreat(around.trail_map, away);
+    if (drive.path_map.size() < 2) return {};  // it has not moved yet
+    if (PlanNextDrive(there, drive.path_map.back(), failed, options, seed)) return drive;
+  }
+  return {};
 }
 
 }  // namespace ariadne::experiments

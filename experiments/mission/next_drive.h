@@ -34,10 +34,9 @@ std::optional<PlannedDrive> PlanDriveTo(const Surroundings& around, const slam::
 /// Back the way that the robot came, so far from where it stands [m].
 PlannedDrive PlanRetreat(std::span<const slam::Pose2> trail_map, double away);
 
-/// The same where views are worth a scan and nothing leads to one: the map shows too little room where the
-/// robot came through, in a door for example. Nothing where no view is.
-std::optional<PlannedDrive> PlanWayOut(const Surroundings& around, const slam::Pose2& T_map_base,
-                                       std::span<const FailedTarget> failed, double away,
+/// The same where nothing leads to a view, as far as something does: the map shows too little room where
+/// the robot came through, in a door for example. Nothing where none of the last 12 m does.
+std::optional<PlannedDrive> PlanWayOut(const Surroundings& around, std::span<const FailedTarget> failed,
                                        const MissionOptions& options, std::uint64_t seed);
 
 }  // namespace ariadne::experiments

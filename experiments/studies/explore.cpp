@@ -166,6 +166,8 @@ SimulatedMission ExploreForReal(const ExploreRun& exploration) {
   const std::unique_ptr<ExploredRobot> robot =
       MakeExploredRobot(exploration.robot(), options.hardware, options.emulated, nullptr,
                         exploration.seed(), &run, [&asked] { return asked.MustStop(); });
+  progress.Keep(fmt::format("connected; the motor board stops the wheels {} s after the last command",
+                            options.hardware.motors.timeout));
   const NotesOfPerson notes(person, *robot);
   LoggedExploration logged(*robot, run.File("robot.log"));
   UnloggedEnd driven(logged.robot(), robot->robot());

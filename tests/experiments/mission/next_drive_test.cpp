@@ -185,15 +185,15 @@ TEST(PlanWayOut, GoesBackThroughWhatTheMapTakesForClosed) {
   Surroundings around = ShutIn(false);
   const Pose2 stand = around.trail_map.back();
   ASSERT_FALSE(PlanNextDrive(around, stand, {}, {}, 1)) << "nothing leads there";
-  const auto drive = PlanWayOut(around, stand, {}, 3.0, {}, 1);
+  const auto drive = PlanWayOut(around, {}, {}, 1);
   ASSERT_TRUE(drive);
   EXPECT_FALSE(drive->view);
   EXPECT_EQ(drive->retraced, drive->path_map.size());
   EXPECT_NEAR(drive->path_map.back().translation.x(), 3.5, 0.06);
 
-  EXPECT_FALSE(PlanWayOut(ShutIn(true), stand, {}, 3.0, {}, 1)) << "nothing is worth it";
+  EXPECT_FALSE(PlanWayOut(ShutIn(true), {}, {}, 1)) << "nothing is worth it";
   around.trail_map.assign(1, stand);
-  EXPECT_FALSE(PlanWayOut(around, stand, {}, 3.0, {}, 1)) << "it has come from nowhere";
+  EXPECT_FALSE(PlanWayOut(around, {}, {}, 1)) << "it has come from nowhere";
 }
 
 TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
