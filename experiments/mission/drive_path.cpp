@@ -38,9 +38,9 @@ control::AvoidanceResult AvoidGoingBack(const control::DriveCommand& wanted,
                                         const control::DriveCommand& velocity,
                                         const std::vector<Eigen::Vector2d>& points_base,
                                         const control::AvoidanceOptions& options) {
-  const control::AvoidanceResult avoided = control::Avoid(wanted, velocity, points_base, options);
+  control::AvoidanceResult avoided = control::Avoid(wanted, velocity, points_base, options);
   if (wanted.forward >= 0.0 || avoided.command.forward <= kHardly * wanted.forward) return avoided;
-  const control::AvoidanceResult straight =
+  control::AvoidanceResult straight =
       control::Avoid({std::min(wanted.forward, -kStraightBack), 0.0}, velocity, points_base, options);
   return straight.command.forward < avoided.command.forward ? straight : avoided;
 }
