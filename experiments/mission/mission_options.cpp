@@ -8,7 +8,7 @@ planning::ViewPlannerOptions RobotPlannerOptions() {
   options.view_clearance = 0.58;
   options.free_space.resolution = 0.05;
   options.candidates.wall_clearance = 0.5;
-  options.min_overlap = 0.2;
+  options.min_overlap = 0.3;
   options.min_opening = 0.3;
   return options;
 }
