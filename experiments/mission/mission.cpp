@@ -53,6 +53,8 @@ class Explorer {
 
   void AcquireAndRegister();
   std::optional<PlannedDrive> Plan();
+  std::optional<PlannedDrive> PlanView(Surroundings& around, const Pose2& T_map_base, std::uint64_t seed);
+  bool MayGoBack() const { return options_.drive_by != DriveBy::kApproach; }  // the loop of 2003 never does
   void Drive(const PlannedDrive& drive);
   void ReturnToStart();
   std::optional<MissionEnd> Limit() const;
@@ -67,13 +69,13 @@ class Explorer {
   MissionStop next_;  // what is known of the stop to come
   slam::ScannerModel scanner_;
   Pose2 last_T_odom_base_;
-  std::vector<Pose2> trail_map_;  // of the last drive, to where the robot is
-  std::optional<Pose2::Square> guess_covariance_;
+  std::vector<Pose2> trail_map_;                   // of the last drive, to where the robot is
+  std::optional<Pose2::Square> guess_covariance_;  // of where it is, if the way there was sure
   MissionResult result_;
   std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
   std::vector<Eigen::Vector2d> held_map_;       // of these, what has held the robot up
   std::vector<FailedTarget> failed_;
-  bool went_out_ = false;                                  // as far as that leads, since the last view
+  bool went_out_ = false;                                  // since the last view that something led to
   int blocked_ = 0, unregistered_ = 0;                     // in a row
   Eigen::Vector2d blocked_map_ = Eigen::Vector2d::Zero();  // near which it was blocked so often
 };
@@ -118,6 +120,22 @@ std::optional<MissionEnd> Explorer::Limit() const {
   return {};
 }
 
+/// To the next view, or back to where something leads to one; then to what is to be looked at more closely,
+/// of which the areas around tell from then on.
+std::optional<PlannedDrive> Explorer::PlanView(Surroundings& around, const Pose2& T_map_base,
+                                               std::uint64_t seed) {
+  std::optional<PlannedDrive> drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
+  if (drive) {
+    went_out_ = false;
+  } else if (!went_out_ && MayGoBack()) {
+    drive = PlanWayOut(around, failed_, options_, seed);
+    went_out_ = drive.has_value();
+  }
+  if (drive || options_.area.sparse.max_spacing == 0.0) return drive;
+  for (std::size_t h = 0; h < map_.height_count(); ++h) around.areas[h] = map_.AreaToLookCloser(h);
+  return PlanNextDrive(around, T_map_base, failed_, options_, seed);
+}
+
 /// The next view; after a scan that was not registered, where the robot was sure before.
 std::optional<PlannedDrive> Explorer::Plan() {
   Status(fmt::format("scan {}: planning", map_.size() - 1));
@@ -133,20 +151,10 @@ std::optional<PlannedDrive> Explorer::Plan() {
     std::size_t sure = map_.size() - 1;
     while (sure > 0 && !map_.registered(sure)) --sure;
     drive = PlanDriveTo(around, T_map_base, map_.T_map_base(sure), options_, seed);
-  } else if (2 * blocked_ >= options_.patience.blocked && options_.drive_by != DriveBy::kApproach) {
+  } else if (2 * blocked_ >= options_.patience.blocked && MayGoBack()) {
     drive = PlanRetreat(around.trail_map, kAway);
   } else {
-    drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
-    if (drive) {
-      went_out_ = false;
-    } else if (!went_out_ && options_.drive_by != DriveBy::kApproach) {
-      drive = PlanWayOut(around, failed_, options_, seed);
-      went_out_ = drive.has_value();
-    }
-    if (!drive && options_.area.sparse.max_spacing > 0.0) {
-      for (std::size_t h = 0; h < map_.height_count(); ++h) around.areas[h] = map_.AreaToLookCloser(h);
-      drive = PlanNextDrive(around, T_map_base, failed_, options_, seed);
-    }
+    drive = PlanView(around, T_map_base, seed);
   }
   next_.planning_seconds = watch.Seconds();
   if (drive && events_.on_plan) events_.on_plan(*drive, around);

@@ -18,10 +18,10 @@ struct FailedTarget {
 /// The next view and the path there (Sec. 4.2, 5.2). Of all heights' views the best few that there may be a
 /// path to are tried: the one with the highest value that the rectangle has a path to with its whole
 /// margin, after it has gone back the way that it came until there is room for it; if none has one, with
-/// half of it. Then the best few of all, and at last the best view by the way of a disc. Places where
-/// drives have failed twice are passed over, and so are those near where the way of a disc has. Nothing
-/// where no view is worth a scan. Before each of these is taken, what no scan shows to be clear counts too:
-/// a path ends before it, or goes round it.
+/// half of it. Then the best few of all, with few trials, and at last the best view by the way of a disc.
+/// Places where drives have failed twice are passed over, and so are those near where the way of a disc
+/// has. Nothing where no view is worth a scan. Before each of these is taken, what no scan shows to be
+/// clear counts too: a path ends before it, or goes round it.
 std::optional<PlannedDrive> PlanNextDrive(const Surroundings& around, const slam::Pose2& T_map_base,
                                           std::span<const FailedTarget> failed,
                                           const MissionOptions& options, std::uint64_t seed);
