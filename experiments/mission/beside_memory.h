@@ -9,9 +9,10 @@
 
 namespace ariadne::experiments {
 
-/// What the safety scanners have seen nearby and cannot see from where the robot is now: they look ahead
-/// and behind, and what a robot passes is beside it, where it turns into it. Odometry errs by millimetres
-/// on the few metres that this is kept for.
+/// What the scanners have seen nearby and cannot see from where the robot is now: they look ahead and
+/// behind, and what a robot passes is beside it, where it turns into it. Each height has its own: a scanner
+/// that looks over a thing has not seen that it is gone. Odometry errs by millimetres on the few metres
+/// that this is kept for.
 class BesideMemory {
  public:
   /// The points of the sweeps, and those of earlier ones that are beside the robot now; base frame of now
@@ -20,7 +21,7 @@ class BesideMemory {
                                       const drivers::RobotState& now);
 
  private:
-  std::vector<Eigen::Vector2d> near_odom_;
+  std::vector<Eigen::Vector3d> near_odom_;
 };
 
 }  // namespace ariadne::experiments

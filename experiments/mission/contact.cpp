@@ -55,8 +55,8 @@ std::vector<Eigen::Vector2d> PlacesOf(std::span<const drivers::SafetySweep> swee
 
 std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner) {
   std::vector<drivers::SafetySweep> sweeps = robot.TakeSafetySweeps();
-  if (!sweeps.empty()) return sweeps;
-  return {{robot.T_base_laser(), scanner, robot.TakeSweep()}};
+  sweeps.push_back({robot.T_base_laser(), scanner, robot.TakeSweep()});
+  return sweeps;
 }
 
 Eigen::Vector2d ContactPlace(drivers::Robot& robot, const slam::ScannerModel& scanner,

@@ -22,11 +22,11 @@ std::vector<Eigen::Vector3d> PointsOf(const drivers::SafetySweep& sweep, const d
 std::vector<Eigen::Vector2d> PlacesOf(std::span<const drivers::SafetySweep> sweeps,
                                       const drivers::RobotState& now);
 
-/// What the safety scanners see now. A robot that has none looks with its 3D scanner in horizontal mode,
-/// whose model is `scanner`.
+/// What the safety scanners see now, if there are any, and the 3D scanner in horizontal mode, whose model
+/// is `scanner`: the ones see legs, the other the arms and hips above them.
 std::vector<drivers::SafetySweep> LookAround(drivers::Robot& robot, const slam::ScannerModel& scanner);
 
-/// What the robot touches [m, base frame]: the nearest thing that the safety scanners see within 10 cm of
+/// What the robot touches [m, base frame]: the nearest thing that the scanners see within 10 cm of
 /// its outline; where they see none, the side or corner that the command moved, 5 cm further out.
 Eigen::Vector2d ContactPlace(drivers::Robot& robot, const slam::ScannerModel& scanner,
                              const control::DriveCommand& command);

@@ -67,6 +67,14 @@ bool MovingThings::Walks(const Track& track) const {
   return sum < count * options_.off_line * options_.off_line;
 }
 
+/// Legs hide each other, and stand together: what is seen anew beside one that has walked is of the same
+/// person.
+bool MovingThings::IsBesideWalker(const Vector2d& middle_odom) const {
+  return std::ranges::any_of(tracks_, [&](const Track& track) {
+    return track.has_moved && (track.seen.back().middle_odom - middle_odom).norm() < options_.body;
+  });
+}
+
 void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d& viewpoint_odom,
                           double time) {
   std::vector<Track> tracks;
@@ -82,7 +90,11 @@ void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d&
       if (distance < nearest) nearest = distance, best = k;
     }
     Track track;
-    if (best < tracks_.size()) taken[best] = true, track = std::move(tracks_[best]);
+    if (best < tracks_.size()) {
+      taken[best] = true, track = tracks_[best];
+    } else {
+      track.has_moved = IsBesideWalker(middle_odom);
+    }
     track.seen.push_back({time, middle_odom});
     while (time - track.seen.front().time > options_.memory) track.seen.pop_front();
     track.has_moved = track.has_moved || Walks(track);

@@ -75,6 +75,7 @@ class MovingThings {
                                          const Eigen::Vector2d& viewpoint_odom) const;
   Eigen::Vector2d VelocityOf(const Track& track) const;
   bool Walks(const Track& track) const;
+  bool IsBesideWalker(const Eigen::Vector2d& middle_odom) const;
 
   MovingThingsOptions options_;
   std::vector<Track> tracks_;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "drivers/simulated/ais_scanner.h"
 #include "drivers/simulated/fittings.h"
 #include "drivers/simulated/obstacles.h"
 #include "experiments/metrics/statistics.h"
@@ -117,13 +118,14 @@ PersonTrial DriveAmongPersons(const CrossingOptions& options, const MissionOptio
   const Pose2 T_map_goal{0.0, {kStartX + options.distance, 0.5 * kHallWidth}};
   DriveOptions drive = mission.drive;
   drive.avoid_obstacles = avoid;
+  const slam::ScannerModel scanner = drivers::AisMounting(MissionRobotOptions().ais).scanner;
   PersonTrial trial;
   trial.way = avoid ? "looks where it goes" : "does not look";
   for (int i = 0; i < options.attempts && !trial.reached && robot.Now() < kLongest; ++i) {
     const Pose2 T_map_base = robot.T_map_base_true();
     const planning::PathResult path = PlanPath(space, T_map_base, T_map_goal, mission.path, seed);
     if (path.status != planning::PathStatus::kFound) break;
-    const Localizer localizer(robot, T_map_base, nullptr, {}, mission.drive.localize);
+    const Localizer localizer(robot, T_map_base, nullptr, scanner, mission.drive.localize);
     const DriveTask task{path.poses, {}, {}, {}, mission.path.footprint.margin};
     const DriveReport report = DrivePath(robot, localizer, task, drive, {});
     trial.given_up += report.end == DriveEnd::kBlocked ? 1 : 0;

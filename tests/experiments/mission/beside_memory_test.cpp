@@ -61,6 +61,18 @@ TEST(BesideMemory, BelievesWhatItSees) {
   EXPECT_TRUE(memory.Update(Look(beside, {}), At(beside)).empty());
 }
 
+TEST(BesideMemory, KnowsWhatAScannerLooksOver) {
+  BesideMemory memory;
+  const slam::Pose2 before{0.0, {1.2, 0.0}}, beside{0.0, {1.8, 0.0}};
+  EXPECT_FALSE(memory.Update(Look(before, {{2.0, 0.5}}), At(before)).empty());
+  std::vector<drivers::SafetySweep> over = Look(beside, {});
+  over.push_back(SweepOf(0.0, 0.0, {}));
+  over.back().T_base_laser.translation.z() = 0.9;
+  EXPECT_FALSE(memory.Update(over, At(beside)).empty());
+  over.back().T_base_laser.translation.z() = 0.0;
+  EXPECT_TRUE(memory.Update(over, At(beside)).empty());
+}
+
 TEST(BesideMemory, ForgetsWhatIsFarAndDoesNotGrow) {
   BesideMemory memory;
   std::vector<Vector2d> wall_odom;

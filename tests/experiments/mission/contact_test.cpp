@@ -64,7 +64,7 @@ TEST(LookAround, TellsBeamsOfWhoTurnsWhereTheThingsAreNow) {
     for (double time = robot.Now(), end = time + 2.0; time < end; robot.WaitUntil(time += 0.05))
       robot.Drive({0.3, 0.6});
     const std::vector<SafetySweep> sweeps = LookAround(robot, scanner);
-    ASSERT_EQ(sweeps.size(), safety ? 2U : 1U);
+    ASSERT_EQ(sweeps.size(), safety ? 3U : 1U);
     EXPECT_LT(WorstOf(sweeps, robot.State(), robot.T_map_base_true()), 0.007);  // centimetres
     EXPECT_GT(WorstAtOnce(sweeps, robot.State(), robot.T_map_base_true()), 0.03);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drivers/simulated/ais_scanner.h"
 #include "slam/geometry/angles.h"
 #include "tests/experiments/mission/two_rooms.h"
 
@@ -30,7 +31,6 @@ class DrivePathTest : public testing::Test {
   slam::AlignModel ModelOfFirstScan() {
     MissionMap map(QuickMission(), robot_.T_base_laser());
     const slam::Scan scan = robot_.TakeScan();
-    scanner_ = scan.scanner;
     map.AddScan("scan000", slam::ToPointCloud(scan), robot_.T_map_base_true(), {});
     return std::move(*map.ModelAround(robot_.T_map_base_true().translation, 100.0));
   }
@@ -41,7 +41,7 @@ class DrivePathTest : public testing::Test {
   }
 
   drivers::SimulatedRobot robot_{TwoRoomsScene(), RobotOptions(), 3};
-  slam::ScannerModel scanner_;
+  slam::ScannerModel scanner_ = drivers::AisMounting(RobotOptions().ais).scanner;
 };
 
 TEST_F(DrivePathTest, ArrivesWhereTheMapSaysAndNotWhereTheWheelsSay) {

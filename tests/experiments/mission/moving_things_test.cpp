@@ -62,6 +62,19 @@ TEST(MovingThings, AreKeptOffByABodysWidthWhenTheyStop) {
   for (const Vector2d& place : places) EXPECT_NEAR((place - Vector2d(1.0, 2.0)).norm(), 0.4, 0.03);
 }
 
+/// One leg hides the other for a while, and when both stand, the one that walked is hidden.
+TEST(MovingThings, AreBothLegsOfWhoHasWalked) {
+  RandomStream stream = NamedStream(7, "legs");
+  MovingThings things;
+  for (double t = 0.0; t < 3.0; t += kPeriod) {
+    const double x = std::min(t, 1.0) + (t > 2.0 ? 0.3 : 0.0);
+    things.Update(WallAndLeg({x, 2.0}, stream), {0.0, 0.0}, t);
+  }
+  EXPECT_EQ(things.PlacesUntil(2.0).size(), 8U);
+  things.Update(WallAndLeg({2.2, 2.0}, stream), {0.0, 0.0}, 3.0);
+  EXPECT_TRUE(things.PlacesUntil(2.0).empty()) << "too far away to be of the same person";
+}
+
 TEST(MovingThings, AreNotWhatIsSeenOfAWallPastAPillar) {
   RandomStream stream = NamedStream(4, "wall");
   MovingThings things;
