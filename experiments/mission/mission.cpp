@@ -8,6 +8,7 @@
 
 #include "drivers/emergency_stopped.h"
 #include "experiments/mission/area_left.h"
+#include "experiments/mission/way_back.h"
 #include "slam/base/stopwatch.h"
 
 namespace ariadne::experiments {
@@ -69,7 +70,7 @@ class Explorer {
   MissionStop next_;  // what is known of the stop to come
   slam::ScannerModel scanner_;
   Pose2 last_T_odom_base_;
-  std::vector<Pose2> trail_map_;                   // of the last drive, to where the robot is
+  std::vector<Pose2> trail_map_;                   // driven, to where the robot is
   std::optional<Pose2::Square> guess_covariance_;  // of where it is, if the way there was sure
   MissionResult result_;
   std::vector<Eigen::Vector2d> obstacles_map_;  // as last known
@@ -179,9 +180,7 @@ void Explorer::Drive(const PlannedDrive& drive) {
   last_T_odom_base_ = robot_.State().odometry.T_odom_base;
   guess_covariance_.reset();
   if (unregistered_ == 0) guess_covariance_ = report.covariance;  // else it is not known where it has left
-  trail_map_.insert(trail_map_.end(), report.poses_map.begin(), report.poses_map.end());
-  constexpr std::size_t kTrail = 2000;  // poses
-  if (trail_map_.size() > kTrail) trail_map_.erase(trail_map_.begin(), trail_map_.end() - kTrail);
+  AddToTrail(report.poses_map, trail_map_);
   for (const Eigen::Vector2d& p_map : report.obstacles_map) map_.AddObstacle(p_map);
   if (report.held_map) held_map_.push_back(*report.held_map);
   for (const Pose2& pose : report.poses_map) {

@@ -8,8 +8,15 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kSamePlace = 0.02;  // [m]
-constexpr double kSameTurn = 0.15;   // turns for which there may be no room any more [rad]
+constexpr double kSamePlace = 0.02;       // [m]
+constexpr double kSameTurn = 0.15;        // turns for which there may be no room any more [rad]
+constexpr double kStood = 0.01;           // moved by less [m]
+constexpr double kStoodTurn = 0.01;       // [rad]
+constexpr std::size_t kLongest = 10'000;  // poses
+
+double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
+  return std::abs(slam::WrapAngle(a.angle - b.angle));
+}
 
 }  // namespace
 
@@ -19,7 +26,7 @@ std::vector<slam::Pose2> WayBack(std::span<const slam::Pose2> driven_map, double
   for (auto pose = driven_map.rbegin(); pose != driven_map.rend(); ++pose) {
     const auto same = std::ranges::find_if(back, [&](const slam::Pose2& other) {
       return (pose->translation - other.translation).norm() < kSamePlace &&
-             std::abs(slam::WrapAngle(pose->angle - other.angle)) < kSameTurn;
+             TurnBetween(*pose, other) < kSameTurn;
     });
     if (same != back.end()) {
       back.erase(same + 1, back.end());
@@ -29,6 +36,18 @@ std::vector<slam::Pose2> WayBack(std::span<const slam::Pose2> driven_map, double
     if ((pose->translation - back.front().translation).norm() > reach) break;
   }
   return back;
+}
+
+void AddToTrail(std::span<const slam::Pose2> driven_map, std::vector<slam::Pose2>& trail_map) {
+  for (std::size_t i = 0; i < driven_map.size(); ++i) {
+    const slam::Pose2& pose = driven_map[i];
+    const bool stood = !trail_map.empty() &&
+                       (pose.translation - trail_map.back().translation).norm() < kStood &&
+                       TurnBetween(pose, trail_map.back()) < kStoodTurn;
+    if (!stood || i + 1 == driven_map.size()) trail_map.push_back(pose);
+  }
+  if (trail_map.size() > kLongest)
+    trail_map.erase(trail_map.begin(), trail_map.end() - static_cast<std::ptrdiff_t>(kLongest));
 }
 
 }  // namespace ariadne::experiments

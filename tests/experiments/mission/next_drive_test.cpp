@@ -209,6 +209,21 @@ TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
 }
 
 // What it does not see beside itself is not clear; its front corner must not sweep it all the same.
+TEST(AddToTrail, KeepsTheWayWhateverTimeTheRobotStood) {
+  std::vector<Pose2> driven;
+  for (double x = 0.0; x < 20.0; x += 0.04) driven.push_back({0.0, {x, 1.0}});
+  driven.insert(driven.end(), 100'000, Pose2{0.0, {20.0, 1.0}});
+  driven.push_back({0.0, {20.005, 1.0}});
+  std::vector<Pose2> trail;
+  AddToTrail(driven, trail);
+  EXPECT_EQ(trail.front().translation.x(), 0.0);
+  EXPECT_EQ(trail.back().translation.x(), 20.005) << "where the robot is";
+  EXPECT_LT(trail.size(), 510U);
+  for (int i = 0; i < 100; ++i) AddToTrail(driven, trail);
+  EXPECT_LE(trail.size(), 10'000U);
+  EXPECT_EQ(trail.back().translation.x(), 20.005);
+}
+
 TEST(PlanDrive, TouchesNothingThatIsNotClearBeforeIt) {
   const Surroundings around = RoomWithLine(1.9, 1.2);
   const auto drive = DriveThrough(around);
