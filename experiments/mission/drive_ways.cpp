@@ -17,8 +17,7 @@ using slam::Pose2;
 constexpr double kTurning = 0.6;         // half the diagonal, and a margin [m]
 constexpr double kBackToRoom = 3.0;      // [m]
 constexpr double kFarBack = 10.0;        // out of where there is no path [m]
-constexpr double kTryEvery = 0.5;        // on the way there [m]
-constexpr int kTriesBack = 4;            // to each goal
+constexpr double kFirstTry = 0.5;        // on the way there; each is twice as far back as the last one [m]
 constexpr double kBesideApproach = 3.0;  // of the straight way; trajectories swing out [m]
 constexpr double kStep = 0.05;           // between the poses of a disc's path [m]
 
@@ -76,15 +75,13 @@ FoundPath PathByTrail(const planning::FreeSpace& space, std::span<const Pose2> t
   const planning::GeodesicField to_goal =
       planning::DistancesFrom(space, T_map_goal.translation, robot.least_radius());
   const std::vector<Pose2> way = WayBack(trail_map, kFarBack);
-  int tries = 0;
-  double since = 0.0;
-  for (std::size_t i = 1; i < way.size() && tries < kTriesBack; ++i) {
-    since += (way[i].translation - way[i - 1].translation).norm();
-    if (since < kTryEvery || !to_goal.IsReachable(space.CellOf(way[i].translation)) ||
+  double back = 0.0, next = kFirstTry;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    back += (way[i].translation - way[i - 1].translation).norm();
+    if (back < next || !to_goal.IsReachable(space.CellOf(way[i].translation)) ||
         !robot.IsFree(space, way[i]))
       continue;
-    since = 0.0;
-    ++tries;
+    next = 2.0 * back;
     FoundPath found = PathFrom({way.begin(), way.begin() + static_cast<std::ptrdiff_t>(i) + 1}, space,
                                T_map_goal, options, room, seed);
     if (!found.poses.empty()) return found;

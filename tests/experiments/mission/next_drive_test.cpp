@@ -97,6 +97,23 @@ TEST(PlanDrive, GoesBackTheWayItCameWhereThereIsNoRoom) {
   EXPECT_NEAR(drive->path_map.back().translation.x(), 2.0, 0.05);
 }
 
+/// Two gaps in a row, through which a disc gets from one to the other and the rectangle does not.
+TEST(PlanDrive, GoesBackFarWhereTheRoomIsLarge) {
+  Surroundings around = RoomWithLine(6.0, 4.5);
+  for (double y = 0.0; y <= 4.0; y += 0.03) {
+    if (std::abs(y - 2.0) > 0.42) around.obstacles_map.emplace_back(4.0, y);
+    if (std::abs(y - 2.6) > 0.42) around.obstacles_map.emplace_back(4.7, y);
+  }
+  for (double x = 2.0; x <= 9.0; x += 0.05) around.trail_map.push_back({0.0, {x, 2.0}});
+  MissionOptions hasty;
+  hasty.path.max_iterations = 50;
+  const auto drive = PlanDriveTo(around, {0.0, {9.0, 2.0}}, {0.0, {2.0, 1.0}}, hasty, 1);
+  ASSERT_TRUE(drive);
+  EXPECT_FALSE(drive->of_disc);
+  ASSERT_GT(drive->retraced, 0U);
+  EXPECT_LT(drive->path_map[drive->retraced - 1].translation.x(), 4.6) << "past the first of them";
+}
+
 TEST(PlanDrive, FindsNoWayWhereItDoesNotKnowHowItCame) { EXPECT_FALSE(DriveOutOfACorner(false)); }
 
 // A window that noise opens anew promises the same for ever.
