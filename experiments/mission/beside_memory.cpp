@@ -20,7 +20,7 @@ bool LooksTo(const drivers::SafetySweep& sweep, const Eigen::Vector3d& p_base,
   const double angle = std::atan2(p_laser.x(), -p_laser.y());  // as ScannerModel counts: 0 is to the right
   const double step = sweep.scanner.angle_step, first = sweep.scanner.first_angle;
   const double last = first + step * (static_cast<double>(sweep.sweep.ranges.size()) - 1.0);
-  return angle >= first && angle <= last;
+  return angle >= first - step && angle <= last + step;  // what it sees at its edge is not kept twice
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ constexpr double kHaltTime = 6.0;       // [s]
 constexpr double kStartingTime = 6.0;   // a contact at the start has so long to clear [s]
 constexpr double kHardly = 0.3;         // of the speed that is wanted, back
 constexpr double kStraightBack = 0.05;  // at least, instead [m/s]
+constexpr double kHardlyAhead = 0.03;   // [m/s]
+constexpr double kLessAhead = 0.1;      // at most, instead [m/s]
 constexpr double kAdvance = 0.08;       // [m]
 constexpr double kAdvanceTurn = 0.12;   // [rad]
 constexpr double kLeft = 0.06;          // [m]
@@ -32,17 +34,26 @@ double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
   return std::abs(slam::WrapAngle(a.angle - b.angle));
 }
 
-/// Out of a narrow place a robot gets as straight as it came: where the least turn on its way back is
-/// barred by what is beside it, or all but barred, it does without.
-control::AvoidanceResult AvoidGoingBack(const control::DriveCommand& wanted,
-                                        const control::DriveCommand& velocity,
-                                        const std::vector<Eigen::Vector2d>& points_base,
-                                        const control::AvoidanceOptions& options) {
+/// In a narrow place a robot turns less where the turn that is wanted is barred by what is beside it, or
+/// all but barred: as it swings out, so little as it is, its corners have less room than the path has.
+/// Backward it came as straight as it can.
+control::AvoidanceResult AvoidTurningLess(const control::DriveCommand& wanted,
+                                          const control::DriveCommand& velocity,
+                                          const std::vector<Eigen::Vector2d>& points_base,
+                                          const control::AvoidanceOptions& options) {
   control::AvoidanceResult avoided = control::Avoid(wanted, velocity, points_base, options);
-  if (wanted.forward >= 0.0 || avoided.command.forward <= kHardly * wanted.forward) return avoided;
-  control::AvoidanceResult straight =
-      control::Avoid({std::min(wanted.forward, -kStraightBack), 0.0}, velocity, points_base, options);
-  return straight.command.forward < avoided.command.forward ? straight : avoided;
+  if (wanted.forward == 0.0) return avoided;
+  const bool back = wanted.forward < 0.0;
+  const double hardly = back ? kHardly * -wanted.forward : kHardlyAhead;
+  const double least =
+      back ? std::max(-wanted.forward, kStraightBack) : std::min(wanted.forward, kLessAhead);
+  for (const double share : {0.5, 0.0}) {
+    if (std::abs(avoided.command.forward) >= hardly) break;
+    control::AvoidanceResult less =
+        control::Avoid({back ? -least : least, share * wanted.turning}, velocity, points_base, options);
+    if (std::abs(less.command.forward) > std::abs(avoided.command.forward)) avoided = std::move(less);
+  }
+  return avoided;
 }
 
 /// A drive under way.
@@ -100,7 +111,7 @@ control::DriveCommand PathDrive::GoAvoiding(const control::DriveCommand& wanted,
   if (options_.avoid_obstacles) {
     const drivers::RobotState state = robot_.State();
     const DriveSight::Places places = sight_.Look(robot_, localizer_, state, known);
-    const control::AvoidanceResult avoided = AvoidGoingBack(
+    const control::AvoidanceResult avoided = AvoidTurningLess(
         wanted, {state.velocity.forward, state.velocity.turning}, places.points_base, sight_.avoid());
     command = avoided.command;
     if (avoided.p_base) held_map_ = localizer_.T_map_base() * *avoided.p_base;

@@ -8,14 +8,23 @@
 namespace ariadne::experiments {
 namespace {
 
-constexpr double kSamePlace = 0.02;       // [m]
-constexpr double kSameTurn = 0.15;        // turns for which there may be no room any more [rad]
-constexpr double kStood = 0.01;           // moved by less [m]
-constexpr double kStoodTurn = 0.01;       // [rad]
+constexpr double kSamePlace = 0.02;  // [m]
+constexpr double kSameTurn = 0.15;   // turns for which there may be no room any more [rad]
+constexpr double kCorrection = 0.2;  // sideways steps that are no longer are of the localization [m]
+constexpr double kAlong = 0.5;       // sine of the angle to its heading that a robot drives at, at most
+constexpr double kStood = 0.01;      // moved by less [m]
+constexpr double kStoodTurn = 0.01;  // [rad]
 constexpr std::size_t kLongest = 10'000;  // poses
 
 double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
   return std::abs(slam::WrapAngle(a.angle - b.angle));
+}
+
+/// Whether a robot may have driven a step, as it was turned at one end of it.
+bool IsDriven(const slam::Pose2& from, const slam::Pose2& to) {
+  const Eigen::Vector2d step = from.RotationMatrix().transpose() * (to.translation - from.translation);
+  const double length = step.norm();
+  return length >= kCorrection || (length >= kSamePlace && std::abs(step.y()) < kAlong * length);
 }
 
 }  // namespace
@@ -32,7 +41,12 @@ std::vector<slam::Pose2> WayBack(std::span<const slam::Pose2> driven_map, double
       back.erase(same + 1, back.end());
       continue;
     }
-    back.push_back(*pose);
+    slam::Pose2 next = *pose;
+    if (!IsDriven(back.back(), next) && !IsDriven(next, back.back())) {
+      if (TurnBetween(next, back.back()) < kSameTurn) continue;
+      next.translation = back.back().translation;
+    }
+    back.push_back(next);
     if ((pose->translation - back.front().translation).norm() > reach) break;
   }
   return back;

@@ -8,7 +8,8 @@
 namespace ariadne::experiments {
 
 /// What has been driven, from its last pose backwards, without what was driven to and fro, up to the first
-/// pose that is farther from the last one than `reach` [m].
+/// pose that is farther from the last one than `reach` [m]. Small steps aside, by which the localization
+/// was corrected, are left out: nobody can drive them.
 std::vector<slam::Pose2> WayBack(std::span<const slam::Pose2> driven_map, double reach);
 
 /// Adds what has been driven to a trail, which keeps the last 100 m and more: without the time that the

@@ -173,6 +173,24 @@ TEST(WayBack, LeavesOutTurnsToAndFroInPlace) {
   EXPECT_EQ(back.back().translation.x(), 0.0);
 }
 
+/// Where the localization was corrected, the trail has a step that no robot can drive.
+TEST(WayBack, LeavesOutStepsAside) {
+  for (const double aside : {0.004, 0.03, 0.08}) {
+    std::vector<Pose2> driven;
+    for (double x = 0.0; x < 1.0; x += 0.04) driven.push_back({0.0, {x, 0.0}});
+    for (double angle = 0.0; angle > -0.3; angle -= 0.05) driven.push_back({angle, {0.98, 0.0}});
+    driven.push_back({-0.3, {0.985, aside}});
+    const std::vector<Pose2> back = WayBack(driven, 10.0);
+    EXPECT_LT(back.back().translation.x(), 0.1);
+    for (std::size_t i = 1; i < back.size(); ++i) {
+      const Vector2d step = back[i].translation - back[i - 1].translation;
+      EXPECT_LT(std::abs(step.y()), 0.5 * step.norm() + 1e-9) << aside << ", " << i;
+    }
+    const auto turned = std::ranges::find_if(back, [](const Pose2& pose) { return pose.angle > -0.2; });
+    EXPECT_LT((turned->translation - driven.back().translation).norm(), 1e-9) << "in place";
+  }
+}
+
 /// Two rooms of 5 m x 4 m with a gap of 1.2 m between them that the map takes for closed; a robot that came
 /// through it to the right one, and has seen all walls but one of the left.
 Surroundings ShutIn(bool seen) {
