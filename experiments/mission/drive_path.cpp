@@ -35,8 +35,8 @@ double TurnBetween(const slam::Pose2& a, const slam::Pose2& b) {
 }
 
 /// In a narrow place a robot turns less where the turn that is wanted is barred by what is beside it, or
-/// all but barred: as it swings out, so little as it is, its corners have less room than the path has.
-/// Backward it came as straight as it can.
+/// all but barred: a circle through the path ahead swings its corners out a little farther than the path
+/// does, and the next circles need less. Out of such a place it gets as straight as it came.
 control::AvoidanceResult AvoidTurningLess(const control::DriveCommand& wanted,
                                           const control::DriveCommand& velocity,
                                           const std::vector<Eigen::Vector2d>& points_base,
