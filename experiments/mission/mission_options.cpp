@@ -51,6 +51,7 @@ planning::PathOptions RobotPathOptions() {
 DriveOptions RobotDriveOptions() {
   DriveOptions options;
   options.avoid.robot.margin = 0.03;
+  options.avoid.creep = 0.02;
   return options;
 }
 
