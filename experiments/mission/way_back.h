@@ -12,8 +12,8 @@ namespace ariadne::experiments {
 /// was corrected, are left out: nobody can drive them.
 std::vector<slam::Pose2> WayBack(std::span<const slam::Pose2> driven_map, double reach);
 
-/// Adds what has been driven to a trail, which keeps the last 100 m and more: without the time that the
-/// robot stood.
+/// Adds what has been driven to a trail, which keeps its last 10,000 poses: without the time that the robot
+/// stood.
 void AddToTrail(std::span<const slam::Pose2> driven_map, std::vector<slam::Pose2>& trail_map);
 
 }  // namespace ariadne::experiments

@@ -243,7 +243,6 @@ TEST(WayBack, LeavesOutWhatWasDrivenToAndFro) {
   EXPECT_TRUE(WayBack({}, 1.0).empty());
 }
 
-// What it does not see beside itself is not clear; its front corner must not sweep it all the same.
 TEST(AddToTrail, KeepsTheWayWhateverTimeTheRobotStood) {
   std::vector<Pose2> driven;
   for (double x = 0.0; x < 20.0; x += 0.04) driven.push_back({0.0, {x, 1.0}});
@@ -259,6 +258,7 @@ TEST(AddToTrail, KeepsTheWayWhateverTimeTheRobotStood) {
   EXPECT_EQ(trail.back().translation.x(), 20.005);
 }
 
+// What it does not see beside itself is not clear; its front corner must not sweep it all the same.
 TEST(PlanDrive, TouchesNothingThatIsNotClearBeforeIt) {
   const Surroundings around = RoomWithLine(1.9, 1.2);
   const auto drive = DriveThrough(around);
