@@ -103,7 +103,7 @@ void Explorer::AcquireAndRegister() {
   stop.T_map_base_guess = FromAbove(match.T_map_laser_guess * robot_.T_base_laser().Inverse());
   trail_map_.push_back(stop.T_map_base);
   unregistered_ = match.registered ? 0 : unregistered_ + 1;
-  const std::vector<planning::LabelledPolygon> area = map_.Area(0);
+  const std::vector<planning::LabelledPolygon>& area = map_.Area(0);
   stop.unseen = UnseenLength(area);
   stop.free_area = FreeArea(area);
   stop.views_left = ViewsLeft(area, options_.planner.min_opening);

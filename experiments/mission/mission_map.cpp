@@ -14,6 +14,7 @@ MissionMap::MissionMap(const MissionOptions& options, const slam::Pose3& T_base_
       ground_(options.obstacles, options.clear,
               FencePosts(options.limits.fence, options.obstacles.resolution)) {
   CheckOptions(options_, "mission.");
+  areas_.resize(area_.height_count());
 }
 
 slam::MatchResult MissionMap::AddScan(const std::string& name, slam::PointCloud cloud_laser,
@@ -35,6 +36,13 @@ slam::MatchResult MissionMap::AddScan(const std::string& name, slam::PointCloud 
     area_.AddScan(scan);
   }
   scans_.push_back(std::move(scan));
+  areas_.assign(area_.height_count(), {});
+  return match;
+}
+
+slam::MatchResult MissionMap::Finish() {
+  slam::MatchResult match = mapper_.Finish();
+  areas_.assign(area_.height_count(), {});
   return match;
 }
 
@@ -72,8 +80,9 @@ std::vector<slam::Pose2> MissionMap::T_map_scans() const {
   return poses;
 }
 
-std::vector<planning::LabelledPolygon> MissionMap::Area(std::size_t height) const {
-  return area_.At(height, RegisteredPoses());
+const std::vector<planning::LabelledPolygon>& MissionMap::Area(std::size_t height) const {
+  if (!areas_[height]) areas_[height] = area_.At(height, RegisteredPoses());
+  return *areas_[height];
 }
 
 std::vector<planning::LabelledPolygon> MissionMap::AreaToLookCloser(std::size_t height) const {

@@ -23,7 +23,7 @@ class MissionMap {
                             const std::optional<slam::Pose2::Square>& covariance);
 
   /// Makes all poses agree once more, after the last scan.
-  slam::MatchResult Finish() { return mapper_.Finish(); }
+  slam::MatchResult Finish();
 
   /// Something stands there that the robot cannot pass, whatever the scans show.
   void AddObstacle(const Eigen::Vector2d& p_map) { ground_.AddObstacle(p_map); }
@@ -40,7 +40,7 @@ class MissionMap {
   /// Those of the registered scans, seen from above.
   std::vector<slam::Pose2> T_map_scans() const;
   std::size_t height_count() const { return area_.height_count(); }
-  std::vector<planning::LabelledPolygon> Area(std::size_t height) const;
+  const std::vector<planning::LabelledPolygon>& Area(std::size_t height) const;
   /// That area, with what is to be looked at more closely unseen.
   std::vector<planning::LabelledPolygon> AreaToLookCloser(std::size_t height) const;
 
@@ -58,6 +58,8 @@ class MissionMap {
   slam::Pose3 T_base_laser_;
   slam::Mapper mapper_;
   ScanLoopArea area_;
+  /// By height, as the scans lie now; those that were asked for, for a union of many scans takes long.
+  mutable std::vector<std::optional<std::vector<planning::LabelledPolygon>>> areas_;
   std::vector<std::size_t> shown_;  // scans that the area knows
   std::vector<slam::PosedCloud> scans_;
   slam::Pose3 T_chain_laser_;  // the guesses' steps, one after the other, as the mapper takes odometry

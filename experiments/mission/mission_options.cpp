@@ -62,7 +62,7 @@ slam::OccupancyGridOptions RobotObstacleOptions() {
   options.max_range = 8.0;
   options.resolution = 0.03;
   options.most_against = 0.8;
-  options.doubt = 0.09;
+  options.doubt = 0.24;
   return options;
 }
 

@@ -48,6 +48,7 @@ class MissionRuns {
  private:
   MissionTrial RunOne(const MissionWorld& world, const MissionVariant& way, MissionTrial trial);
   void Say(const MissionTrial& trial, const std::string& what);
+  /// On disk: who stops a study of hours keeps what has ended.
   void Keep(const MissionTrial& trial);
 
   const AblationMissionOptions& options_;
@@ -56,20 +57,22 @@ class MissionRuns {
   std::size_t total_;
   Parallel parallel_;
   std::mutex display_;
-  std::size_t done_ = 0;
+  std::vector<MissionTrial> done_;  // as they ended
   std::vector<MissionTrial> trials_;
 };
 
 void MissionRuns::Say(const MissionTrial& trial, const std::string& what) {
   const std::lock_guard lock(display_);
-  const double share = static_cast<double>(done_) / static_cast<double>(total_);
+  const double share = static_cast<double>(done_.size()) / static_cast<double>(total_);
   progress_.Show(fmt::format("{}, {}, seed {}: {}; {} of {} missions, {}", trial.world, trial.way,
-                             trial.seed, what, done_, total_, progress_.Eta(share)));
+                             trial.seed, what, done_.size(), total_, progress_.Eta(share)));
 }
 
 void MissionRuns::Keep(const MissionTrial& trial) {
   const std::lock_guard lock(display_);
-  run_.WriteProgress("running", ++done_, total_);
+  done_.push_back(trial);
+  run_.WriteCsv("trials.csv", MissionTrialTable(done_));
+  run_.WriteProgress("running", done_.size(), total_);
   progress_.Keep(fmt::format(
       "{}, {}, seed {}: {:.0f} scans, {:.0f} m, {} % of the walls, {} % of the surface, {:.1f} cm, {:.0f} "
       "contacts: {}",

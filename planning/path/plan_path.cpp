@@ -1,7 +1,6 @@
 #include "planning/path/plan_path.h"
 
 #include <ompl/base/goals/GoalState.h>
-#include <ompl/datastructures/NearestNeighborsLinear.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/PathSimplifier.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
@@ -15,6 +14,7 @@
 #include "planning/path/motion_model.h"
 #include "planning/path/ompl_support.h"
 #include "planning/path/path_guides.h"
+#include "planning/path/plane_neighbors.h"
 #include "planning/path/pose_raster.h"
 #include "slam/geometry/angles.h"
 
@@ -222,7 +222,8 @@ class PathPlanner {
     SeededRrtConnect planner(info, seed_);
     planner.setRange(options_.range);
     planner.setProblemDefinition(problem);
-    planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();  // other structures draw numbers
+    planner
+        .setNearestNeighbors<internal::PlaneNeighbors>();  // OMPL's, but for the linear one, draw numbers
     int asked = 0;
     planner.solve(ob::PlannerTerminationCondition([most, &asked] { return asked++ >= most; }));
     iterations += std::min(asked, most);
@@ -309,8 +310,7 @@ std::vector<bool> ReachableGoals(const FreeSpace& space, const slam::Pose2& T_ma
   RequirePose(T_map_start, "start");
   for (const slam::Pose2& goal : T_map_goals) RequirePose(goal, "goal");
   if (space.columns() == 0) return std::vector<bool>(T_map_goals.size(), false);
-  return internal::GoalsOnRaster(space, Footprint(footprint), T_map_start, T_map_goals,
-                                 std::numeric_limits<std::size_t>::max());
+  return internal::GoalsOnRaster(space, Footprint(footprint), T_map_start, T_map_goals);
 }
 
 }  // namespace ariadne::planning

@@ -39,8 +39,7 @@ class PoseSearch {
 
   std::vector<slam::Pose2> Find(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                 std::size_t most);
-  std::vector<bool> Reach(const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals,
-                          std::size_t most);
+  std::vector<bool> Reach(const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals);
 
  private:
   using Entry = std::pair<std::uint32_t, std::uint64_t>;  // cost, pose
@@ -58,6 +57,9 @@ class PoseSearch {
   }
   bool IsFree(const RasterPose& pose) const;
   std::vector<std::uint64_t> Around(const slam::Pose2& T_map_robot) const;
+  /// Calls `visit` with each pose one move away, what the move costs, and it.
+  template <typename Visitor>
+  void ForEachNext(const RasterPose& pose, const Visitor& visit) const;
   void Visit(const RasterPose& pose, std::uint32_t cost, const Move& move);
   std::optional<std::uint64_t> TakeNext(std::size_t most);
   RasterPose Before(const RasterPose& pose) const;
@@ -131,11 +133,11 @@ RasterPose PoseSearch::Before(const RasterPose& pose) const {
           (pose.heading - move.turn + kHeadings) % kHeadings};
 }
 
-void PoseSearch::Expand(std::uint64_t number) {
-  const RasterPose pose = PoseOf(number);
-  const std::uint32_t cost = costs_[number];
+template <typename Visitor>
+void PoseSearch::ForEachNext(const RasterPose& pose, const Visitor& visit) const {
   for (const std::int8_t turn : {std::int8_t{1}, std::int8_t{-1}}) {
-    Visit({pose.cell, (pose.heading + turn + kHeadings) % kHeadings}, cost + kTurnCost, {0, 0, turn});
+    visit(RasterPose{pose.cell, (pose.heading + turn + kHeadings) % kHeadings}, kTurnCost,
+          Move{0, 0, turn});
   }
   const Eigen::Vector2d& axis = axes_[static_cast<std::size_t>(pose.heading)];
   for (std::int8_t row = -1; row <= 1; ++row) {
@@ -143,10 +145,17 @@ void PoseSearch::Expand(std::uint64_t number) {
       const Eigen::Vector2d step(column, row);
       if (step.isZero() || std::abs(step.dot(axis)) < kAlong * step.norm()) continue;
       const auto length = static_cast<std::uint32_t>(1024.0 * step.norm());
-      Visit({{pose.cell.column + column, pose.cell.row + row}, pose.heading}, cost + length,
-            {column, row, 0});
+      visit(RasterPose{{pose.cell.column + column, pose.cell.row + row}, pose.heading}, length,
+            Move{column, row, 0});
     }
   }
+}
+
+void PoseSearch::Expand(std::uint64_t number) {
+  const std::uint32_t cost = costs_[number];
+  ForEachNext(PoseOf(number), [&](const RasterPose& next, std::uint32_t step, const Move& move) {
+    Visit(next, cost + step, move);
+  });
 }
 
 /// The nearest pose that was not left yet; none: all were, or enough.
@@ -159,15 +168,24 @@ std::optional<std::uint64_t> PoseSearch::TakeNext(std::size_t most) {
   return {};
 }
 
+/// Without Dijkstra's order: it does not matter how far they are.
 std::vector<bool> PoseSearch::Reach(const slam::Pose2& T_map_start,
-                                    std::span<const slam::Pose2> T_map_goals, std::size_t most) {
-  for (const std::uint64_t number : Around(T_map_start)) Visit(PoseOf(number), kStartCost, {});
-  while (const auto number = TakeNext(most)) Expand(*number);
+                                    std::span<const slam::Pose2> T_map_goals) {
+  std::vector<std::uint64_t> open = Around(T_map_start);
+  for (const std::uint64_t number : open) costs_[number] = kStartCost;
+  while (!open.empty()) {
+    const RasterPose pose = PoseOf(open.back());
+    open.pop_back();
+    ForEachNext(pose, [&](const RasterPose& next, std::uint32_t, const Move&) {
+      if (!space_.IsOnRaster(next.cell) || costs_[NumberOf(next)] != kUnknown) return;
+      costs_[NumberOf(next)] = IsFree(next) ? kStartCost : kNotFree;
+      if (costs_[NumberOf(next)] == kStartCost) open.push_back(NumberOf(next));
+    });
+  }
   std::vector<bool> reached;
   for (const slam::Pose2& goal : T_map_goals) {
-    reached.push_back(std::ranges::any_of(Around(goal), [&](std::uint64_t number) {
-      return costs_[number] != kUnknown && costs_[number] != kNotFree;
-    }));
+    reached.push_back(std::ranges::any_of(
+        Around(goal), [&](std::uint64_t number) { return costs_[number] == kStartCost; }));
   }
   return reached;
 }
@@ -209,10 +227,9 @@ std::vector<slam::Pose2> PosesOnRaster(const FreeSpace& space, const Footprint& 
 }
 
 std::vector<bool> GoalsOnRaster(const FreeSpace& space, const Footprint& footprint,
-                                const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals,
-                                std::size_t most) {
+                                const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals) {
   if (IsTooLarge(space)) return std::vector<bool>(T_map_goals.size(), true);
-  return PoseSearch(space, footprint).Reach(T_map_start, T_map_goals, most);
+  return PoseSearch(space, footprint).Reach(T_map_start, T_map_goals);
 }
 
 }  // namespace ariadne::planning::internal

@@ -17,9 +17,8 @@ std::vector<slam::Pose2> PosesOnRaster(const FreeSpace& space, const Footprint& 
                                        const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                        std::size_t most);
 
-/// Which of the goals such a chain leads to; of those that are found among the first `most` poses.
+/// Which of the goals such a chain leads to; all, where the space has too many cells to tell.
 std::vector<bool> GoalsOnRaster(const FreeSpace& space, const Footprint& footprint,
-                                const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals,
-                                std::size_t most);
+                                const slam::Pose2& T_map_start, std::span<const slam::Pose2> T_map_goals);
 
 }  // namespace ariadne::planning::internal

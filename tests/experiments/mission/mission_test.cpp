@@ -105,8 +105,8 @@ TEST(Mission, StopsWhenItIsToldTo) {
   events.stop = [&] { return robot.Now() > 5.0; };
   const MissionResult result = RunMission(robot, QuickMission(), 1, events);
   EXPECT_EQ(result.end, MissionEnd::kStopped);
-  EXPECT_EQ(robot.State().velocity.forward, 0.0);
-  EXPECT_EQ(robot.State().velocity.turning, 0.0);
+  EXPECT_NEAR(robot.State().velocity.forward, 0.0, 1e-9);
+  EXPECT_NEAR(robot.State().velocity.turning, 0.0, 1e-9);
   EXPECT_LT(robot.Now(), 12.0) << "braking, and no further scan than that under way";
 }
 
