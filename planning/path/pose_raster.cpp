@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <queue>
@@ -19,6 +20,7 @@ constexpr std::uint32_t kTurnCost = 600;  // [cells / 1024]; 10 deg move the rob
 constexpr double kAlong = 0.86;           // cosine of what a step may differ from the heading, 30 deg
 constexpr std::size_t kMostPoses = 100'000'000;  // 700 MB; 140 x 140 m of 10 cm
 constexpr int kNearEnds = 2;                     // [cells], [headings]
+constexpr std::size_t kPocket = 1'000'000;       // poses; a room of 70 m^2 with cells of 5 cm
 
 struct RasterPose {
   Cell cell;
@@ -62,6 +64,8 @@ class PoseSearch {
   void ForEachNext(const RasterPose& pose, const Visitor& visit) const;
   void Visit(const RasterPose& pose, std::uint32_t cost, const Move& move);
   std::optional<std::uint64_t> TakeNext(std::size_t most);
+  std::vector<std::uint64_t> Spread(std::vector<std::uint64_t> open, std::size_t most);
+  bool IsShutIn(const std::vector<std::uint64_t>& goals, const std::vector<std::uint64_t>& starts);
   RasterPose Before(const RasterPose& pose) const;
   void Expand(std::uint64_t number);
 
@@ -168,20 +172,39 @@ std::optional<std::uint64_t> PoseSearch::TakeNext(std::size_t most) {
   return {};
 }
 
-/// Without Dijkstra's order: it does not matter how far they are.
-std::vector<bool> PoseSearch::Reach(const slam::Pose2& T_map_start,
-                                    std::span<const slam::Pose2> T_map_goals) {
-  std::vector<std::uint64_t> open = Around(T_map_start);
+/// Marks the poses that moves lead to from these, without Dijkstra's order, until it has looked at `most`;
+/// returns all that it has looked at.
+std::vector<std::uint64_t> PoseSearch::Spread(std::vector<std::uint64_t> open, std::size_t most) {
+  std::vector<std::uint64_t> looked_at = open;
   for (const std::uint64_t number : open) costs_[number] = kStartCost;
-  while (!open.empty()) {
+  while (!open.empty() && looked_at.size() < most) {
     const RasterPose pose = PoseOf(open.back());
     open.pop_back();
     ForEachNext(pose, [&](const RasterPose& next, std::uint32_t, const Move&) {
       if (!space_.IsOnRaster(next.cell) || costs_[NumberOf(next)] != kUnknown) return;
+      looked_at.push_back(NumberOf(next));
       costs_[NumberOf(next)] = IsFree(next) ? kStartCost : kNotFree;
       if (costs_[NumberOf(next)] == kStartCost) open.push_back(NumberOf(next));
     });
   }
+  return looked_at;
+}
+
+/// Whether moves from the goals lead to few poses, none of them a start: Dijkstra's search, which would
+/// look at all but these, need not begin.
+bool PoseSearch::IsShutIn(const std::vector<std::uint64_t>& goals,
+                          const std::vector<std::uint64_t>& starts) {
+  const std::vector<std::uint64_t> pocket = Spread(goals, kPocket);
+  const bool shut_in = pocket.size() < kPocket && std::ranges::none_of(starts, [&](std::uint64_t number) {
+                         return costs_[number] == kStartCost;
+                       });
+  for (const std::uint64_t number : pocket) costs_[number] = kUnknown;
+  return shut_in;
+}
+
+std::vector<bool> PoseSearch::Reach(const slam::Pose2& T_map_start,
+                                    std::span<const slam::Pose2> T_map_goals) {
+  Spread(Around(T_map_start), std::numeric_limits<std::size_t>::max());
   std::vector<bool> reached;
   for (const slam::Pose2& goal : T_map_goals) {
     reached.push_back(std::ranges::any_of(
@@ -193,8 +216,9 @@ std::vector<bool> PoseSearch::Reach(const slam::Pose2& T_map_start,
 std::vector<slam::Pose2> PoseSearch::Find(const slam::Pose2& T_map_start, const slam::Pose2& T_map_goal,
                                           std::size_t most) {
   const std::vector<std::uint64_t> goals = Around(T_map_goal);
-  if (goals.empty()) return {};
-  for (const std::uint64_t number : Around(T_map_start)) Visit(PoseOf(number), kStartCost, {});
+  const std::vector<std::uint64_t> starts = Around(T_map_start);
+  if (goals.empty() || IsShutIn(goals, starts)) return {};
+  for (const std::uint64_t number : starts) Visit(PoseOf(number), kStartCost, {});
   while (const auto next = TakeNext(most)) {
     const std::uint64_t number = *next;
     if (std::ranges::find(goals, number) == goals.end()) {
