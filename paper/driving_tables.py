@@ -28,10 +28,11 @@ def control(run):
 
 
 def persons(run):
-    rows = [[r["robot"], grouped(r["episodes"]), r["reached %"], r["contacts"], r["needless"], r["given up"], r["time s"]]
+    rows = [[r["robot"], grouped(r["episodes"]), r["reached %"], r["contacts"], r["needless"], r["foreseeable"],
+             r["given up"], r["time s"]]
             for r in read_csv(run / "persons.csv")]
-    head = [r"& drives & reached [\%] & contacts & needless & given up & time [s] \\"]
-    return tabular("@{}lrrrrrr@{}", head, [rows])
+    head = [r"& drives & reached [\%] & contacts & needless & foreseeable & given up & time [s] \\"]
+    return tabular("@{}lrrrrrrr@{}", head, [rows])
 
 
 def missions(run):

@@ -34,6 +34,7 @@ def add_persons(values, run):
         values.set(f"persons.{name}.reached", row["reached %"])
         values.set(f"persons.{name}.contacts", row["contacts"])
         values.set(f"persons.{name}.needless", row["needless"])
+        values.set(f"persons.{name}.foreseeable", row["foreseeable"])
 
 
 def add_missions(values, run):

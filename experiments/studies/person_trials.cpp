@@ -8,28 +8,26 @@
 
 #include "drivers/simulated/ais_scanner.h"
 #include "drivers/simulated/fittings.h"
-#include "drivers/simulated/obstacles.h"
 #include "experiments/metrics/statistics.h"
 #include "experiments/mission/simulated_mission.h"
+#include "experiments/studies/person_contact.h"
 #include "slam/base/random.h"
 
 namespace ariadne::experiments {
 namespace {
 
 using drivers::Body;
-using drivers::TruePose;
 using Eigen::Vector2d;
 using slam::Pose2;
 
 constexpr double kHallLength = 12.0, kHallWidth = 6.0, kWallDistance = 0.6;  // [m]
 constexpr double kStartX = 1.5;                                              // [m]
 constexpr double kAtGoal = 0.1;                                              // [m]
-constexpr double kLookOn = 0.5;  // after a contact, whether it would have come all the same [s]
-constexpr double kMoment = 0.02, kPause = 2.0, kLongest = 300.0;  // [s]
+constexpr double kPause = 2.0, kLongest = 300.0;                             // [s]
 
 /// A mesh of all the parts of a person.
-Body PersonBody(double height) {
-  Body body{"person", {}, {0.4}, {}};
+Body PersonBody(const std::string& name, double height) {
+  Body body{name, {}, {0.4}, {}};
   for (const drivers::Part& part : Make(drivers::Person{height, 0.3}))
     slam::Append(body.mesh_body, part.mesh);
   return body;
@@ -54,34 +52,6 @@ void Walk(Body& body, double crossing, double crossing_time, double stop, const 
   at(crossing_time + stop + leg, middle + across);
 }
 
-/// Where the robot would stand if it had braked so that it stands before the contact: the pose that its
-/// reaction and half its braking time lie behind.
-TruePose StoppedBefore(const drivers::Collision& contact, const std::vector<TruePose>& path,
-                       const control::AvoidanceOptions& avoid) {
-  const auto before = [&](double age) {
-    const auto later = std::ranges::upper_bound(path, contact.time - age, {}, &TruePose::time);
-    return later == path.begin() ? path.front() : *(later - 1);
-  };
-  constexpr double kSpan = 0.1;  // [s]
-  const Pose2 moved =
-      before(avoid.reaction + kSpan).T_map_base.Inverse() * before(avoid.reaction).T_map_base;
-  const double braking = std::max(moved.translation.norm() / avoid.limits.acceleration,
-                                  std::abs(moved.angle) / avoid.limits.turning_acceleration) /
-                         kSpan;
-  return before(avoid.reaction + 0.5 * braking);
-}
-
-/// Whether a robot that had stood there would not have been touched.
-bool IsNeedless(const drivers::Collision& contact, const std::vector<TruePose>& path,
-                const drivers::World& world, const control::AvoidanceOptions& avoid) {
-  const TruePose stopped = StoppedBefore(contact, path, avoid);
-  const drivers::Obstacles obstacles(world, {});
-  for (double time = stopped.time; time < contact.time + kLookOn; time += kMoment) {
-    if (obstacles.ContactAt(stopped.T_map_base, time).depth > 0.0) return false;
-  }
-  return true;
-}
-
 planning::FreeSpace HallSpace() {
   const slam::Polygon2 hall{{{0.0, 0.0}, {kHallLength, 0.0}, {kHallLength, kHallWidth}, {0.0, kHallWidth}},
                             {}};
@@ -102,7 +72,7 @@ drivers::World HallWithPersons(const CrossingOptions& options, double speed, std
     const double late = DrawUniform(stream, -1.5, 2.5);  // after the robot would be there [s]
     const double stop = DrawUniform(stream, 0.0, options.longest_stop);
     const double height = DrawUniform(stream, 1.5, 1.95);
-    Body person = PersonBody(height);
+    Body person = PersonBody(fmt::format("person {}", i + 1), height);
     Walk(person, kStartX + way, 1.0 + way / speed + late, i % 2 == 0 ? 0.0 : stop, options, stream);
     world.bodies.push_back(std::move(person));
   }
@@ -134,14 +104,18 @@ PersonTrial DriveAmongPersons(const CrossingOptions& options, const MissionOptio
   }
   trial.duration = robot.Now();
   for (const drivers::Collision& contact : robot.collisions()) {
+    const ContactVerdict verdict =
+        JudgeContact(contact, robot.path_true(), *scene, MissionRobotOptions(), drive);
     ++trial.contacts;
-    trial.needless += IsNeedless(contact, robot.path_true(), scene->world(), drive.avoid) ? 1 : 0;
+    trial.needless += verdict.needless ? 1 : 0;
+    trial.foreseeable += verdict.foreseeable ? 1 : 0;
   }
   return trial;
 }
 
 Table PersonTable(const std::vector<PersonTrial>& trials) {
-  Table table{{"robot", "episodes", "reached %", "contacts", "needless", "given up", "time s", "95 % s"},
+  Table table{{"robot", "episodes", "reached %", "contacts", "needless", "foreseeable", "given up",
+               "time s", "95 % s"},
               {}};
   std::vector<std::string> ways;
   for (const PersonTrial& trial : trials) {
@@ -149,28 +123,30 @@ Table PersonTable(const std::vector<PersonTrial>& trials) {
   }
   for (const std::string& way : ways) {
     std::vector<double> times;
-    int reached = 0, contacts = 0, needless = 0, given_up = 0;
+    int reached = 0, contacts = 0, needless = 0, foreseeable = 0, given_up = 0;
     for (const PersonTrial& trial : trials) {
       if (trial.way != way) continue;
       times.push_back(trial.duration);
       reached += trial.reached ? 1 : 0;
-      contacts += trial.contacts, needless += trial.needless, given_up += trial.given_up;
+      contacts += trial.contacts, needless += trial.needless, foreseeable += trial.foreseeable;
+      given_up += trial.given_up;
     }
     const auto count = static_cast<double>(times.size());
-    table.rows.push_back(
-        {way, fmt::format("{}", times.size()), fmt::format("{:.1f}", 100.0 * reached / count),
-         fmt::format("{}", contacts), fmt::format("{}", needless), fmt::format("{}", given_up),
-         fmt::format("{:.1f}", Quantile(times, 0.5)), fmt::format("{:.1f}", Quantile(times, 0.95))});
+    table.rows.push_back({way, fmt::format("{}", times.size()),
+                          fmt::format("{:.1f}", 100.0 * reached / count), fmt::format("{}", contacts),
+                          fmt::format("{}", needless), fmt::format("{}", foreseeable),
+                          fmt::format("{}", given_up), fmt::format("{:.1f}", Quantile(times, 0.5)),
+                          fmt::format("{:.1f}", Quantile(times, 0.95))});
   }
   return table;
 }
 
 Table PersonTrialTable(const std::vector<PersonTrial>& trials) {
-  Table table{{"robot", "reached", "contacts", "needless", "given_up", "duration_s"}, {}};
+  Table table{{"robot", "reached", "contacts", "needless", "foreseeable", "given_up", "duration_s"}, {}};
   for (const PersonTrial& trial : trials) {
     table.rows.push_back({trial.way, trial.reached ? "1" : "0", fmt::format("{}", trial.contacts),
-                          fmt::format("{}", trial.needless), fmt::format("{}", trial.given_up),
-                          Exact(trial.duration)});
+                          fmt::format("{}", trial.needless), fmt::format("{}", trial.foreseeable),
+                          fmt::format("{}", trial.given_up), Exact(trial.duration)});
   }
   return table;
 }

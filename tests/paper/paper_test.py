@@ -25,9 +25,9 @@ CONTROLLERS = """controller,starts,at goal %,way / line,95 %,time s,95 % s,worst
 indiveri,100,100.0000,1.466,2.172,15.925,26.472,9.992,0.245,0.638,0.596,1.700,0
 "indiveri, many",1000000,99.9000,1.445,2.210,16.300,25.950,10.000,0.250,0.667,0.631,1.847,3
 """
-PERSONS = """robot,episodes,reached %,contacts,needless,given up,time s,95 % s
-looks where it goes,1000,99.0,18,3,25,20.0,24.9
-does not look,1000,100.0,38,30,35,16.8,24.3
+PERSONS = """robot,episodes,reached %,contacts,needless,foreseeable,given up,time s,95 % s
+looks where it goes,1000,99.0,18,3,1,25,20.0,24.9
+does not look,1000,100.0,38,30,20,35,16.8,24.3
 """
 TRIALS = """world,way,seed,end,surface_covered,translation_rms_m,map_error_median_m,collisions
 hall,default,1,nothing is left that is worth a scan,0.98,0.01,0.004,0

@@ -34,10 +34,11 @@ TEST(PersonTrials, AreFastWithoutPersons) {
 
 TEST(PersonTable, AddsUpByWay) {
   const std::vector<PersonTrial> trials{
-      {"a", true, 1, 0, 2, 10.0}, {"b", true, 0, 0, 0, 8.0}, {"a", false, 2, 1, 0, 30.0}};
+      {"a", true, 1, 0, 0, 2, 10.0}, {"b", true, 0, 0, 0, 0, 8.0}, {"a", false, 3, 2, 1, 0, 30.0}};
   const Table table = PersonTable(trials);
   ASSERT_EQ(table.rows.size(), 2U);
-  EXPECT_EQ(table.rows[0], (std::vector<std::string>{"a", "2", "50.0", "3", "1", "2", "20.0", "29.0"}));
+  EXPECT_EQ(table.rows[0],
+            (std::vector<std::string>{"a", "2", "50.0", "4", "2", "1", "2", "20.0", "29.0"}));
 }
 
 }  // namespace
