@@ -57,6 +57,7 @@ class PoseSearch {
   slam::Pose2 InMap(const RasterPose& pose) const {
     return {slam::WrapAngle(pose.heading * kHeadingStep), space_.CentreOf(pose.cell)};
   }
+  bool CanTurnIn(const Cell& cell) const;
   bool IsFree(const RasterPose& pose) const;
   std::vector<std::uint64_t> Around(const slam::Pose2& T_map_robot) const;
   /// Calls `visit` with each pose one move away, what the move costs, and it.
@@ -64,6 +65,8 @@ class PoseSearch {
   void ForEachNext(const RasterPose& pose, const Visitor& visit) const;
   void Visit(const RasterPose& pose, std::uint32_t cost, const Move& move);
   std::optional<std::uint64_t> TakeNext(std::size_t most);
+  template <typename Look>
+  void LookBeside(const Cell& cell, const Look& look_at) const;
   std::vector<std::uint64_t> Spread(std::vector<std::uint64_t> open, std::size_t most);
   bool IsShutIn(const std::vector<std::uint64_t>& goals, const std::vector<std::uint64_t>& starts);
   RasterPose Before(const RasterPose& pose) const;
@@ -89,10 +92,13 @@ PoseSearch::PoseSearch(const FreeSpace& space, const Footprint& footprint)
   }
 }
 
+bool PoseSearch::CanTurnIn(const Cell& cell) const {
+  return space_.ClearanceAt(cell) >= footprint_.reach() + footprint_.options().margin;
+}
+
 bool PoseSearch::IsFree(const RasterPose& pose) const {
   if (!space_.IsOnRaster(pose.cell)) return false;
-  const double clearance = space_.ClearanceAt(pose.cell);
-  if (clearance >= footprint_.reach() + footprint_.options().margin) return true;
+  if (CanTurnIn(pose.cell)) return true;
   return footprint_.IsFree(space_, space_.CentreOf(pose.cell),
                            axes_[static_cast<std::size_t>(pose.heading)]);
 }
@@ -172,20 +178,48 @@ std::optional<std::uint64_t> PoseSearch::TakeNext(std::size_t most) {
   return {};
 }
 
+/// Looks at the poses that moves lead to from a place where the robot can turn: one of each place beside it
+/// where it can turn too.
+template <typename Look>
+void PoseSearch::LookBeside(const Cell& cell, const Look& look_at) const {
+  for (int row = -1; row <= 1; ++row) {
+    for (int column = -1; column <= 1; ++column) {
+      const Cell beside{cell.column + column, cell.row + row};
+      const Eigen::Vector2d step(column, row);
+      if (step.isZero() || !space_.IsOnRaster(beside)) continue;
+      const bool one_will_do = CanTurnIn(beside);
+      for (int heading = 0; heading < kHeadings; ++heading) {
+        if (std::abs(step.dot(axes_[static_cast<std::size_t>(heading)])) < kAlong * step.norm()) continue;
+        look_at(RasterPose{beside, heading});
+        if (one_will_do) break;
+      }
+    }
+  }
+}
+
 /// Marks the poses that moves lead to from these, without Dijkstra's order, until it has looked at `most`;
-/// returns all that it has looked at.
+/// returns all that it has looked at. Where the robot can turn all round, one heading is as good as all,
+/// and moves are looked at by places.
 std::vector<std::uint64_t> PoseSearch::Spread(std::vector<std::uint64_t> open, std::size_t most) {
   std::vector<std::uint64_t> looked_at = open;
   for (const std::uint64_t number : open) costs_[number] = kStartCost;
+  const auto look_at = [&](const RasterPose& next) {
+    if (!space_.IsOnRaster(next.cell) || costs_[NumberOf(next)] != kUnknown) return;
+    looked_at.push_back(NumberOf(next));
+    costs_[NumberOf(next)] = IsFree(next) ? kStartCost : kNotFree;
+    if (costs_[NumberOf(next)] == kStartCost) open.push_back(NumberOf(next));
+  };
   while (!open.empty() && looked_at.size() < most) {
     const RasterPose pose = PoseOf(open.back());
     open.pop_back();
-    ForEachNext(pose, [&](const RasterPose& next, std::uint32_t, const Move&) {
-      if (!space_.IsOnRaster(next.cell) || costs_[NumberOf(next)] != kUnknown) return;
-      looked_at.push_back(NumberOf(next));
-      costs_[NumberOf(next)] = IsFree(next) ? kStartCost : kNotFree;
-      if (costs_[NumberOf(next)] == kStartCost) open.push_back(NumberOf(next));
-    });
+    if (!CanTurnIn(pose.cell)) {
+      ForEachNext(pose, [&](const RasterPose& next, std::uint32_t, const Move&) { look_at(next); });
+      continue;
+    }
+    const auto first = open.size();
+    for (int turn = 1; turn < kHeadings; ++turn) look_at({pose.cell, (pose.heading + turn) % kHeadings});
+    open.resize(first);
+    LookBeside(pose.cell, look_at);
   }
   return looked_at;
 }
