@@ -75,6 +75,11 @@ bool MovingThings::IsBesideWalker(const Vector2d& middle_odom) const {
   });
 }
 
+bool MovingThings::WalksOnUnseen(const Track& track, double time) const {
+  return track.has_moved && time - track.seen.back().time < options_.unseen &&
+         VelocityOf(track).norm() >= options_.slowest;
+}
+
 void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d& viewpoint_odom,
                           double time) {
   std::vector<Track> tracks;
@@ -100,7 +105,11 @@ void MovingThings::Update(std::span<const Vector2d> points_odom, const Vector2d&
     track.has_moved = track.has_moved || Walks(track);
     tracks.push_back(std::move(track));
   }
+  for (std::size_t k = 0; k < tracks_.size(); ++k) {
+    if (!taken[k] && WalksOnUnseen(tracks_[k], time)) tracks.push_back(std::move(tracks_[k]));
+  }
   tracks_ = std::move(tracks);
+  now_ = time;
 }
 
 std::vector<Vector2d> MovingThings::PlacesUntil(
@@ -116,8 +125,9 @@ std::vector<Vector2d> MovingThings::PlacesUntil(
     if (!track.has_moved || (stands && stands(track.seen.back().middle_odom))) continue;
     const Vector2d velocity = VelocityOf(track);
     const bool moves = velocity.norm() >= options_.slowest;
+    const Vector2d here = track.seen.back().middle_odom + (now_ - track.seen.back().time) * velocity;
     for (double t = 0.0; t < (moves ? later + kPlaceEvery : kPlaceEvery); t += kPlaceEvery)
-      add_body(track.seen.back().middle_odom + std::min(t, later) * velocity);
+      add_body(here + std::min(t, later) * velocity);
   }
   return places;
 }

@@ -21,6 +21,7 @@ struct MovingThingsOptions {
   double memory = 0.5;
   double least = 0.25;
   double body = 0.4;
+  double unseen = 0.8;
 
   template <typename Self, typename Visitor>
   static void Visit(Self& self, Visitor& visit) {
@@ -40,6 +41,9 @@ struct MovingThingsOptions {
     visit("body", self.body, Unit("m"), Range{0.0, 2.0},
           "around a leg that has walked, that the robot keeps off: arms and hips are wider than what the "
           "scanners see of a person");
+    visit("unseen", self.unseen, Unit("s"), Range{0.0, 10.0},
+          "that what walks is taken to walk on: there is a strip on each side of the robot into which no "
+          "scanner looks");
   }
 };
 
@@ -76,9 +80,11 @@ class MovingThings {
   Eigen::Vector2d VelocityOf(const Track& track) const;
   bool Walks(const Track& track) const;
   bool IsBesideWalker(const Eigen::Vector2d& middle_odom) const;
+  bool WalksOnUnseen(const Track& track, double time) const;
 
   MovingThingsOptions options_;
   std::vector<Track> tracks_;
+  double now_ = 0.0;  // [s]
 };
 
 }  // namespace ariadne::experiments

@@ -6,6 +6,7 @@
 
 #include "drivers/simulated/ais_scanner.h"
 #include "drivers/simulated/obstacles.h"
+#include "slam/base/error.h"
 
 namespace ariadne::experiments {
 namespace {
@@ -13,7 +14,8 @@ namespace {
 using drivers::TruePose;
 using slam::Pose2;
 
-constexpr double kLookOn = 0.5;  // after a contact, whether it would have come all the same [s]
+constexpr double kLookOn = 0.5;     // after a contact, whether it would have come all the same [s]
+constexpr double kHalfWidth = 0.3;  // of the robot [m]
 constexpr double kMoment = 0.02, kSpan = 0.1;  // [s]
 
 /// The way of a robot, and how it brakes.
@@ -29,16 +31,45 @@ class Way {
 
   /// From full braking to standing, at the speed that it has at a time [s].
   double BrakingTime(double time) const {
-    const Pose2 moved = At(time - kSpan).T_map_base.Inverse() * At(time).T_map_base;
+    const Pose2 moved = MovedBefore(time);
     return std::max(moved.translation.norm() / avoid_.limits.acceleration,
                     std::abs(moved.angle) / avoid_.limits.turning_acceleration) /
            kSpan;
   }
 
+  /// Whether it moved until then, however little.
+  bool Moves(double time) const {
+    const Pose2 moved = MovedBefore(time);
+    return moved.translation.norm() + kHalfWidth * std::abs(moved.angle) > avoid_.creep * kSpan;
+  }
+
+  /// The last moment in which braking, after the reaction, lets the robot stand at a time [s].
+  double LatestBraking(double standing) const {
+    double time = standing - avoid_.reaction;
+    while (time > 0.0 && time + avoid_.reaction + BrakingTime(time) > standing) time -= kMoment;
+    return time;
+  }
+
  private:
+  Pose2 MovedBefore(double time) const {
+    return At(time - kSpan).T_map_base.Inverse() * At(time).T_map_base;
+  }
+
   const std::vector<TruePose>& path_;
   const control::AvoidanceOptions& avoid_;
 };
+
+const drivers::Body& BodyOf(const drivers::Collision& contact, const drivers::World& world) {
+  const auto body = std::ranges::find(world.bodies, contact.thing, &drivers::Body::name);
+  if (body == world.bodies.end()) Fail("{}: there is no {} to touch", world.name, contact.thing);
+  return *body;
+}
+
+/// Until then.
+bool Walks(const drivers::Body& body, double time, double slowest) {
+  const auto place = [&](double at) { return drivers::PoseAt(body.motion, at).translation; };
+  return !body.motion.times.empty() && (place(time) - place(time - kSpan)).norm() > slowest * kSpan;
+}
 
 /// Whether a robot that stands there would be touched until some time after a contact.
 bool IsTouchedAt(const TruePose& stopped, double contact_time, const drivers::World& world) {
@@ -78,16 +109,16 @@ ContactVerdict JudgeContact(const drivers::Collision& contact, const std::vector
                             const DriveOptions& drive) {
   const Way way(path_true, drive.avoid);
   const double reacted = contact.time - drive.avoid.reaction;
-  const double braking = way.BrakingTime(reacted);
   // The way of a braking robot is half of what it would have driven in that time.
-  const TruePose stopped = way.At(reacted - 0.5 * braking);
+  const TruePose stopped = way.At(reacted - 0.5 * way.BrakingTime(reacted));
   ContactVerdict verdict;
   verdict.needless = !IsTouchedAt(stopped, contact.time, scene.world());
+  const double latest = way.LatestBraking(contact.time), believed = latest - drive.moving.least;
   const auto in_view = [&](double time) {
     return HasInView(scene, way.At(time).T_map_base, time, contact.thing, robot);
   };
-  const double latest = reacted - braking;
-  verdict.foreseeable = verdict.needless && in_view(latest) && in_view(latest - drive.moving.least);
+  verdict.foreseeable = way.Moves(contact.time) && in_view(latest) && in_view(believed) &&
+                        Walks(BodyOf(contact, scene.world()), believed, drive.moving.slowest);
   return verdict;
 }
 

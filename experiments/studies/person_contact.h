@@ -12,8 +12,8 @@ namespace ariadne::experiments {
 /// What a robot that looks where it goes could have done about a contact with what walks.
 struct ContactVerdict {
   bool needless = false;  // had it braked in time, it would not have been touched
-  /// And it could have known: a scanner had the body in view when the brakes had to be put on, and so long
-  /// before that its motion could be believed (`moving.least`).
+  /// It could have stood by then: when it had to put on the brakes for that, a scanner had the body in
+  /// view, and saw it walk for as long as it takes to believe it (`moving.least`).
   bool foreseeable = false;
 };
 

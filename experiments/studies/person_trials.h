@@ -38,7 +38,7 @@ struct PersonTrial {
   bool reached = false;   // the goal, by the truth
   int contacts = 0;       // the robot moved into a person
   int needless = 0;       // of these, such that a robot which had braked in time was not touched
-  int foreseeable = 0;    // of these, such that its scanners had the person in view in time
+  int foreseeable = 0;    // of the contacts, those before which it could have seen them come, and stood
   int given_up = 0;       // drives
   double duration = 0.0;  // [s]
 };

@@ -63,6 +63,24 @@ TEST(MovingThings, AreKeptOffByABodysWidthWhenTheyStop) {
 }
 
 /// One leg hides the other for a while, and when both stand, the one that walked is hidden.
+TEST(MovingThings, WalkOnWhereNoScannerLooks) {
+  RandomStream stream = NamedStream(5, "leg");
+  MovingThings things;
+  const Vector2d from(-1.0, 2.0), velocity(1.2, 0.0);
+  double time = 0.0;
+  for (; time < 1.0; time += kPeriod)
+    things.Update(WallAndLeg(from + time * velocity, stream), {0.0, 0.0}, time);
+  const auto pass_unseen = [&](double until) {
+    for (; time < until; time += kPeriod) things.Update({}, {0.0, 0.0}, time);
+    double nearest = 100.0;
+    for (const Vector2d& place : things.PlacesUntil(0.0))
+      nearest = std::min(nearest, (place - from - time * velocity).norm());
+    return nearest;
+  };
+  EXPECT_LT(pass_unseen(1.5), 0.5);
+  EXPECT_EQ(pass_unseen(2.0), 100.0) << "nobody knows where by now";
+}
+
 TEST(MovingThings, AreBothLegsOfWhoHasWalked) {
   RandomStream stream = NamedStream(7, "legs");
   MovingThings things;
