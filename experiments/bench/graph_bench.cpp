@@ -6,8 +6,8 @@
 
 #include "experiments/bench/factor_bench.h"
 #include "experiments/bench/stock_ceres.h"
+#include "slam/base/blas_guard.h"
 #include "slam/base/error.h"
-#include "slam/base/single_threaded_openmp.h"
 #include "slam/graph/factors/optimize_with_ceres.h"
 #include "slam/graph/isotropic.h"
 #include "slam/graph/optimize/certificate.h"
@@ -87,7 +87,7 @@ void Whole(benchmark::State& state, const PublicGraph& which) {
 /// Whole takes, and nothing else.
 void Floor(benchmark::State& state, const PublicGraph& which) {
   OnGraph(state, which, [](const auto& graph, benchmark::State& s) {
-    const SingleThreadedOpenMp single_threaded;
+    const BlasGuard guard;
     const auto result = slam::Optimize(graph, {});
     slam::NormalSystem system(result.graph);
     system.Linearize(result.graph, {}, slam::Hessian::kNewton);
@@ -122,7 +122,7 @@ void Ceres(benchmark::State& state, const PublicGraph& which, slam::CeresLibrary
     tuning.initial_trust_region_radius = radius;
     double objective = 0.0;
     for (auto _ : s) {
-      const SingleThreadedOpenMp single_threaded;
+      const BlasGuard guard;
       auto started = graph;
       slam::InitializeByChords(started, slam::FindVariables(started));
       const auto result = slam::OptimizeWithCeres(started, {}, tuning);

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-#include "slam/base/single_threaded_openmp.h"
+#include "slam/base/blas_guard.h"
 #include "slam/geometry/box3.h"
 #include "slam/graph/factors/pose_block.h"
 #include "slam/matching/joint_pair.h"
@@ -115,7 +115,7 @@ std::vector<Pose3> SolveFactors(std::vector<Link>& links, const std::vector<Pose
   options.initial_trust_region_radius = 1e16;  // damping would only slow down the long chains' bending
   options.max_num_iterations = 20;
   options.logging_type = ceres::SILENT;
-  const SingleThreadedOpenMp no_threads_of_cholmod;
+  const BlasGuard guard;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
   if (!summary.IsSolutionUsable()) return T_map_laser;

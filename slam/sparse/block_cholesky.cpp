@@ -1,7 +1,7 @@
 #include "slam/sparse/block_cholesky.h"
 
+#include "slam/base/blas_guard.h"
 #include "slam/base/error.h"
-#include "slam/base/single_threaded_openmp.h"
 #include "slam/sparse/block_cholesky_impl.h"
 
 namespace ariadne::slam {
@@ -68,7 +68,7 @@ BlockCholesky::BlockCholesky(BlockCholesky&&) noexcept = default;
 BlockCholesky& BlockCholesky::operator=(BlockCholesky&&) noexcept = default;
 
 bool BlockCholesky::Factorize(const BlockMatrix& matrix) {
-  const SingleThreadedOpenMp guard;
+  const BlasGuard guard;
   cholmod_common& common = *impl_->context.get();
   cholmod_sparse view = ViewOf(matrix);
   cholmod_factorize(&view, impl_->factor.get(), &common);
@@ -77,7 +77,7 @@ bool BlockCholesky::Factorize(const BlockMatrix& matrix) {
 }
 
 Eigen::MatrixXd BlockCholesky::Solve(const Eigen::MatrixXd& right_sides) const {
-  const SingleThreadedOpenMp guard;
+  const BlasGuard guard;
   cholmod_common& common = *impl_->context.get();
   Eigen::MatrixXd b = right_sides;
   cholmod_dense view = ViewOf(b);

@@ -2,7 +2,7 @@
 
 #include <glog/logging.h>
 
-#include "slam/base/single_threaded_openmp.h"
+#include "slam/base/blas_guard.h"
 
 namespace ariadne::slam {
 namespace {
@@ -33,7 +33,7 @@ ceres::Solver::Options SolverOptions() {
 }
 
 ceres::Solver::Summary SolveQuietly(ceres::Solver::Options options, ceres::Problem& problem) {
-  const SingleThreadedOpenMp single_threaded;
+  const BlasGuard guard;
   const NoWarnings no_warnings;
   options.num_threads = 1;
   ceres::Solver::Summary summary;
