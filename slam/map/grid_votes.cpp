@@ -18,11 +18,12 @@ Layers Filled(Layers layers) {
 }
 
 /// Where a beam shows that a thing does not go on: not in the two layers of its top, which a beam above it
-/// may touch, but below.
+/// may touch, but below; and there too if nothing is below.
 Layers Within(Layers met) {
   if (met == 0) return ~Layers{0};
   const Layers top = std::bit_floor(met);
-  return (Filled(met) & ~(top | top >> 1)) | top >> 2 | top >> 3;
+  const Layers below = (Filled(met) & ~(top | top >> 1)) | top >> 2 | top >> 3;
+  return below != 0 ? below : top | top >> 1;
 }
 
 }  // namespace

@@ -112,6 +112,21 @@ TEST(OccupancyGrid, LetsATableGoOnToWhereABeamHasPassed) {
   EXPECT_EQ(At(MakeOccupancyGrid({&scan, 1}, options), 2.65, 0.01), Occupancy::kFree);
 }
 
+/// From 95 cm, the floor around a thing that is as high as the lowest things count: its one point.
+TEST(OccupancyGrid, LetsNoThresholdGoOnOverTheFloorThatIsSeen) {
+  PosedCloud scan;
+  scan.T_map_laser.translation.z() = 0.95;
+  for (double x = 1.0; x < 3.0; x += 0.02) {
+    for (double y = -0.5; y < 0.5; y += 0.02) scan.cloud_laser.positions.emplace_back(x, y, -0.95);
+  }
+  scan.cloud_laser.positions.emplace_back(2.0, 0.01, -0.845);
+  const OccupancyGridOptions options{.resolution = 0.03, .max_height = 1.2, .doubt = 0.24};
+  const OccupancyGrid grid = MakeOccupancyGrid({&scan, 1}, options);
+  EXPECT_EQ(At(grid, 2.0, 0.01), Occupancy::kOccupied);
+  EXPECT_EQ(At(grid, 2.0, 0.13), Occupancy::kFree);
+  EXPECT_EQ(At(grid, 1.85, 0.01), Occupancy::kFree);
+}
+
 TEST(GridVotes, AddUpToTheGridOfAllScans) {
   const OccupancyGridOptions options{.resolution = 0.1};
   const std::vector<PosedCloud> scans{ScanOfWall(3.02), ScanOfWall(5.02, 0.2, 0.8), ScanOfWall(2.0)};
